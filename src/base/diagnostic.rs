@@ -1,0 +1,191 @@
+//! Diagnostics: what is wrong, where, what was expected, how to mend it.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+use codespan_reporting::diagnostic::{Diagnostic as Shown, Label as ShownLabel};
+use codespan_reporting::files::SimpleFiles;
+use codespan_reporting::term;
+
+crate::define_id!(
+    /// A text that diagnostics point into.
+    SourceId
+);
+
+/// A range of bytes of one source text.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct Span {
+    /// Which text.
+    pub source: SourceId,
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+impl Span {
+    /// The span from the start of `self` to the end of `other`, which must be of the same text.
+    #[must_use]
+    pub fn to(self, other: Span) -> Span {
+        Span { end: other.end.max(self.end), ..self }
+    }
+
+    fn range(self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+}
+
+/// One error. Codes never change their meaning; the first letter tells the room
+/// (`N` netlist, `S` scenario, `W` waveform, `C` command line, `X` export).
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Diagnostic {
+    /// For example `N007`.
+    pub code: &'static str,
+    /// What is wrong, in one line.
+    pub message: String,
+    /// Places, the first one being the main one.
+    pub labels: Vec<(Span, String)>,
+    /// What was expected and how to mend it, a line each.
+    pub help: Vec<String>,
+}
+
+impl Diagnostic {
+    /// An error without a place.
+    #[must_use]
+    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
+        Self { code, message: message.into(), labels: Vec::new(), help: Vec::new() }
+    }
+
+    /// Adds a place with a word about it; the first one added is the main one.
+    #[must_use]
+    pub fn at(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.labels.push((span, text.into()));
+        self
+    }
+
+    /// Adds a line of help.
+    #[must_use]
+    pub fn help(mut self, text: impl Into<String>) -> Self {
+        self.help.push(text.into());
+        self
+    }
+
+    /// Adds "did you mean" when one of `names` is near `wrong`.
+    #[must_use]
+    pub fn nearest<'a>(self, wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
+        match nearest(wrong, names) {
+            Some(name) => self.help(format!("did you mean `{name}`?")),
+            None => self,
+        }
+    }
+}
+
+/// The name most like `wrong`, when one is near enough to be a slip.
+pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let scored = names.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name));
+    scored.filter(|(score, _)| *score > 0.75).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, name)| name)
+}
+
+/// The texts that spans point into.
+#[derive(Clone, Debug, Default)]
+pub struct Sources {
+    texts: Vec<(String, Arc<str>)>,
+}
+
+impl Sources {
+    /// Adds a text under the name that messages show, usually its path.
+    pub fn add(&mut self, name: impl Into<String>, text: impl Into<Arc<str>>) -> SourceId {
+        self.texts.push((name.into(), text.into()));
+        SourceId::new(self.texts.len() - 1)
+    }
+
+    /// A text and its name.
+    #[must_use]
+    pub fn get(&self, id: SourceId) -> (&str, &Arc<str>) {
+        let (name, text) = &self.texts[id.index()];
+        (name, text)
+    }
+
+    /// `file:line:column` of the start of a span, counted from 1.
+    #[must_use]
+    pub fn place(&self, span: Span) -> String {
+        let (name, text) = self.get(span.source);
+        let before = &text.as_bytes()[..(span.start as usize).min(text.len())];
+        let line = before.iter().filter(|&&b| b == b'\n').count() + 1;
+        let column = before.iter().rev().take_while(|&&b| b != b'\n').count() + 1;
+        format!("{name}:{line}:{column}")
+    }
+}
+
+/// All that is wrong with an input: one or more diagnostics and the texts they point into.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The texts.
+    pub sources: Arc<Sources>,
+    /// The errors in order of place.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Report {
+    /// A report of `diagnostics`, sorted by place.
+    #[must_use]
+    pub fn new(sources: Sources, mut diagnostics: Vec<Diagnostic>) -> Self {
+        diagnostics.sort_by_key(|d| d.labels.first().map(|(span, _)| *span));
+        diagnostics.dedup();
+        Self { sources: Arc::new(sources), diagnostics }
+    }
+
+    /// The text a person reads; with ANSI colours when `color`.
+    #[must_use]
+    pub fn render(&self, color: bool) -> String {
+        let mut files = SimpleFiles::new();
+        for (name, text) in &self.sources.texts {
+            files.add(name.as_str(), text.as_ref());
+        }
+        let config = term::Config::default();
+        let mut text = String::new();
+        for diagnostic in &self.diagnostics {
+            let shown = shown(diagnostic);
+            let written = if color {
+                let mut buffer = term::termcolor::Ansi::new(Vec::new());
+                let result = term::emit_to_write_style(&mut buffer, &config, &files, &shown);
+                text.push_str(&String::from_utf8_lossy(buffer.get_ref()));
+                result
+            } else {
+                term::emit_to_string(&mut text, &config, &files, &shown)
+            };
+            // A span outside its text would be our own mistake; the message is still worth showing.
+            if written.is_err() {
+                text.push_str(&format!("error[{}]: {}\n", diagnostic.code, diagnostic.message));
+            }
+        }
+        text
+    }
+}
+
+fn shown(diagnostic: &Diagnostic) -> Shown<usize> {
+    let labels = diagnostic.labels.iter().enumerate().map(|(i, (span, text))| {
+        let make = if i == 0 { ShownLabel::primary } else { ShownLabel::secondary };
+        make(span.source.index(), span.range()).with_message(text)
+    });
+    Shown::error()
+        .with_code(diagnostic.code)
+        .with_message(&diagnostic.message)
+        .with_labels(labels.collect())
+        .with_notes(diagnostic.help.iter().map(|line| format!("help: {line}")).collect())
+}
+
+impl From<Diagnostic> for Report {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Self::new(Sources::default(), vec![diagnostic])
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render(false))
+    }
+}
+
+impl std::error::Error for Report {}

@@ -1,0 +1,3 @@
+//! Arithmetic: sums, products, quotients, roots.
+
+pub mod summer;

@@ -1,0 +1,1 @@
+//! Logic: decisions made without memory.

@@ -1,0 +1,1 @@
+//! Memory: registers, triggers, counters, stores.

@@ -1,0 +1,59 @@
+//! The blocks: one file each, in folders by kind, and the registry that names them all.
+//!
+//! Adding a block is one file and one line in [`REGISTRY`]; the tests of this room walk the registry.
+
+mod body;
+mod builder;
+mod describe;
+mod gate;
+
+pub mod arithmetic;
+pub mod logic;
+pub mod memory;
+pub mod pulses;
+pub mod routing;
+pub mod timing;
+
+pub use body::{Body, InnerSignal};
+pub use builder::{Builder, Held};
+pub use describe::{Description, Direction, Kind, Parameter, Parameters, PortDescription, Width};
+pub use gate::Gate;
+
+/// A block: what it is called, what it connects to, and how it is made of ops.
+///
+/// There is no second, hand-written behaviour anywhere: every engine and the Verilog printer take their
+/// meaning from what [`Block::build`] returns.
+pub trait Block: Sync {
+    /// Name, ports, parameters, documentation.
+    fn description(&self) -> &'static Description;
+
+    /// What is wrong with a set of parameters although each is within its range, if anything, as a sentence
+    /// that says what to change.
+    ///
+    /// # Errors
+    /// The sentence.
+    fn check(&self, parameters: &Parameters) -> Result<(), String>;
+
+    /// Builds the block out of ops, for parameters that are within their ranges and pass [`Block::check`].
+    fn build(&self, b: &mut Builder);
+}
+
+impl std::fmt::Debug for dyn Block {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.description().name)
+    }
+}
+
+/// Every block there is, by kind and then by name.
+pub static REGISTRY: &[&dyn Block] = &[&arithmetic::summer::Summer];
+
+/// The block of a name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static dyn Block> {
+    REGISTRY.iter().copied().find(|block| block.description().name == name)
+}
+
+#[cfg(test)]
+pub(crate) mod bench;
+#[cfg(test)]
+mod tests;

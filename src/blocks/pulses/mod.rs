@@ -1,0 +1,1 @@
+//! Pulses: trains of one-tick strobes and their rates.

@@ -1,0 +1,1 @@
+//! Routing: which word goes where.

@@ -1,0 +1,32 @@
+//! Engines: they run a program tick by tick, and know nothing of traces.
+
+mod interpreter;
+
+pub use interpreter::Interpreter;
+
+use crate::base::ValueId;
+
+/// Runs one stimulus of one program.
+///
+/// An engine always stands *at* a tick, with every value settled and no state committed: that is the sample point.
+/// A new engine stands at tick 0 with all inputs 0.
+pub trait Engine {
+    /// Its name on the command line.
+    fn name(&self) -> &'static str;
+
+    /// Sets input `Op::Input(input)` from the present tick on; takes effect with the next [`Engine::settle`]
+    /// or [`Engine::advance`]. `word` must fit the input's width.
+    fn set_input(&mut self, input: usize, word: u64);
+
+    /// Settles the present tick again after its inputs have changed.
+    fn settle(&mut self);
+
+    /// Up to `ticks` times: commits state and settles the next tick. Stops early after a tick in which the
+    /// program's `stop` is 1, if `until_stop`. Returns how many ticks it advanced.
+    ///
+    /// The present tick is settled first if an input has changed since.
+    fn advance(&mut self, ticks: u64, until_stop: bool) -> u64;
+
+    /// An observed value ([`crate::compile::Program::observed`]) as last settled.
+    fn value(&self, id: ValueId) -> u64;
+}

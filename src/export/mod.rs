@@ -1,0 +1,1 @@
+//! Export: Verilog of the blocks and a bench for outside simulators.

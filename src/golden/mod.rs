@@ -1,0 +1,1 @@
+//! Golden traces: read and compare waveforms, find the first divergence, bless.

@@ -1,0 +1,1 @@
+//! The stimulus language, as data: it knows names, not engines.

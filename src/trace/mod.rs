@@ -1,0 +1,1 @@
+//! Traces: which signals, sampled how, written as VCD, FST, save file or table.
