@@ -1,0 +1,125 @@
+//! What a scenario says, name by name.
+
+use super::number::Number;
+use crate::base::Span;
+
+/// Something with a name and the place where the name stands, when it comes from a file.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Named<T> {
+    /// The name of a port, parameter or net.
+    pub name: String,
+    /// What is said of it.
+    pub value: T,
+    /// Where; `None` when it came from the command line.
+    pub span: Option<Span>,
+}
+
+/// A circuit, what is done to it, and what is expected.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Scenario {
+    /// One line on what it shows.
+    pub title: String,
+    /// The circuit: a name such as `su1522157/interpolator`, or a path.
+    pub circuit: String,
+    /// Parameters of the top module.
+    pub parameters: Vec<Named<i64>>,
+    /// Inputs held from tick 0. Inputs not named are 0.
+    pub inputs: Vec<Named<Number>>,
+    /// Changes of inputs, in order of tick; a changed input keeps its value.
+    pub changes: Vec<Change>,
+    /// When to stop.
+    pub stop: Option<Stop>,
+    /// Globs over the names of the signals to trace; empty for all.
+    pub trace: Vec<Named<()>>,
+    /// How `--table` shows the run.
+    pub table: Option<Table>,
+    /// The two signals whose path `run` draws.
+    pub plot: Option<Plot>,
+    /// What must come out.
+    pub expect: Expectations,
+}
+
+/// Inputs that change at a tick.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Change {
+    /// From this tick on.
+    pub tick: u64,
+    /// New values.
+    pub set: Vec<Named<Number>>,
+}
+
+/// When a run ends.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Stop {
+    /// After so many ticks.
+    Ticks(u64),
+    /// When a net is high or low, but after `limit` ticks at the latest.
+    Until {
+        /// The net.
+        net: UntilNet,
+        /// Most ticks to run; reaching it is a failure.
+        limit: u64,
+    },
+}
+
+/// `NET` or `!NET`.
+#[derive(Clone, PartialEq, Debug)]
+pub struct UntilNet {
+    /// Dotted name below the top module.
+    pub net: String,
+    /// `true`: until any bit is 1; `false` (written `!NET`): until all bits are 0.
+    pub high: bool,
+    /// Where it is written.
+    pub span: Option<Span>,
+}
+
+impl UntilNet {
+    /// Reads `NET` or `!NET`.
+    #[must_use]
+    pub fn parse(text: &str, span: Option<Span>) -> Self {
+        match text.strip_prefix('!') {
+            Some(net) => Self { net: net.trim().to_owned(), high: false, span },
+            None => Self { net: text.trim().to_owned(), high: true, span },
+        }
+    }
+}
+
+/// A table of signals, a row for each tick in which `when` is high (every tick without it).
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Table {
+    /// Strobe net.
+    pub when: Option<Named<()>>,
+    /// Signals, in order; empty for all outputs.
+    pub columns: Vec<Named<()>>,
+}
+
+/// A path to draw.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Plot {
+    /// Signal of the horizontal axis.
+    pub x: Named<()>,
+    /// Signal of the vertical axis.
+    pub y: Named<()>,
+}
+
+/// What a run must come to.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Expectations {
+    /// Ticks run.
+    pub ticks: Option<u64>,
+    /// `until`, `ticks` or `limit`.
+    pub stopped_by: Option<String>,
+    /// Words of outputs at the end.
+    pub outputs: Vec<Named<Number>>,
+    /// Ticks that one-bit outputs were high.
+    pub pulses: Vec<Named<u64>>,
+}
+
+impl Scenario {
+    /// The first tick in which `until` is judged: not before tick 1, and not before the last change of an input,
+    /// because a circuit at rest would otherwise satisfy `!busy` before it has begun.
+    #[must_use]
+    pub fn first_judged_tick(&self) -> u64 {
+        self.changes.iter().map(|change| change.tick).max().unwrap_or(0).max(1)
+    }
+}

@@ -1,0 +1,345 @@
+//! Reads a scenario file (TOML), and finds all that is wrong with it in one run.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::model::{Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
+use super::number::Number;
+use crate::base::{Diagnostic, Report, SourceId, Sources, Span};
+
+/// Reads the text of a scenario; `name` is what messages call it.
+///
+/// # Errors
+/// `S001` not TOML, `S002` unknown key, `S003` value of the wrong kind, `S004` something missing or contradictory.
+pub fn parse(name: &str, text: &str) -> Result<Scenario, Report> {
+    let mut sources = Sources::default();
+    let source = sources.add(name, text);
+    let mut reader = Reader { source, wrong: Vec::new() };
+    let (root, errors) = DeTable::parse_recoverable(text);
+    for error in errors {
+        let span = error.span().map_or(0..0, |span| span);
+        let diagnostic = Diagnostic::new("S001", format!("this is not TOML: {}", error.message()));
+        reader.wrong.push(diagnostic.at(reader.span(span), "here"));
+    }
+    let scenario = reader.scenario(root.get_ref());
+    if reader.wrong.is_empty() { Ok(scenario) } else { Err(Report::new(sources, reader.wrong)) }
+}
+
+type Value<'t> = Spanned<DeValue<'t>>;
+
+struct Reader {
+    source: SourceId,
+    wrong: Vec<Diagnostic>,
+}
+
+impl Reader {
+    fn span(&self, range: std::ops::Range<usize>) -> Span {
+        let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+        Span { source: self.source, start: place(range.start), end: place(range.end) }
+    }
+
+    fn of_kind(&mut self, value: &Value<'_>, expected: &str) {
+        let message = format!("expected {expected}, found {}", value.get_ref().type_str());
+        let span = self.span(value.span());
+        self.wrong.push(Diagnostic::new("S003", message).at(span, format!("write {expected} here")));
+    }
+
+    fn table<'v, 't>(&mut self, value: &'v Value<'t>) -> Option<&'v DeTable<'t>> {
+        let table = value.get_ref().as_table();
+        if table.is_none() {
+            self.of_kind(value, "a table");
+        }
+        table
+    }
+
+    fn text(&mut self, value: &Value<'_>) -> Option<String> {
+        let text = value.get_ref().as_str().map(str::to_owned);
+        if text.is_none() {
+            self.of_kind(value, "a text in quotes");
+        }
+        text
+    }
+
+    fn number(&mut self, value: &Value<'_>) -> Option<Number> {
+        let number = match value.get_ref() {
+            DeValue::Integer(i) => i128::from_str_radix(i.as_str(), i.radix()).ok().map(Number::Word),
+            DeValue::Float(f) => f.as_str().parse().ok().filter(|f: &f64| f.is_finite()).map(Number::Real),
+            DeValue::Boolean(b) => Some(Number::Word((*b).into())),
+            _ => None,
+        };
+        if number.is_none() {
+            self.of_kind(value, "a number");
+        }
+        number
+    }
+
+    fn whole<T: TryFrom<i128>>(&mut self, value: &Value<'_>, expected: &str) -> Option<T> {
+        let whole = match value.get_ref() {
+            DeValue::Integer(i) => i128::from_str_radix(i.as_str(), i.radix()).ok().and_then(|i| T::try_from(i).ok()),
+            _ => None,
+        };
+        if whole.is_none() {
+            self.of_kind(value, expected);
+        }
+        whole
+    }
+
+    fn ticks(&mut self, value: &Value<'_>) -> Option<u64> {
+        self.whole(value, "a number of ticks")
+    }
+
+    /// Each entry of a table through `read`, with its name and place.
+    fn entries<T>(
+        &mut self,
+        value: &Value<'_>,
+        mut read: impl FnMut(&mut Self, &Value<'_>) -> Option<T>,
+    ) -> Vec<Named<T>> {
+        let Some(table) = self.table(value) else { return Vec::new() };
+        let mut all = Vec::new();
+        for (name, value) in table {
+            if let Some(read) = read(self, value) {
+                let span = Some(self.span(name.span()));
+                all.push(Named { name: name.get_ref().to_string(), value: read, span });
+            }
+        }
+        all.sort_by_key(|entry| entry.span);
+        all
+    }
+
+    fn names(&mut self, value: &Value<'_>) -> Vec<Named<()>> {
+        let Some(list) = value.get_ref().as_array() else {
+            self.of_kind(value, "a list of names");
+            return Vec::new();
+        };
+        list.iter().filter_map(|entry| self.one_name(entry)).collect()
+    }
+
+    fn one_name(&mut self, value: &Value<'_>) -> Option<Named<()>> {
+        let span = Some(self.span(value.span()));
+        self.text(value).map(|name| Named { name, value: (), span })
+    }
+
+    /// Reads a table key by key; `read` says whether it knows a key.
+    fn keys(&mut self, table: &DeTable<'_>, known: &[&str], mut read: impl FnMut(&mut Self, &str, &Value<'_>)) {
+        for (key, value) in table {
+            let name: &str = key.get_ref();
+            if known.contains(&name) {
+                read(self, name, value);
+            } else {
+                let span = self.span(key.span());
+                let diagnostic = Diagnostic::new("S002", format!("a scenario has no key `{name}` here"));
+                let diagnostic = diagnostic.at(span, format!("known here: {}", known.join(", ")));
+                self.wrong.push(diagnostic.nearest(name, known.iter().copied()));
+            }
+        }
+    }
+
+    fn scenario(&mut self, root: &DeTable<'_>) -> Scenario {
+        let mut scenario = Scenario::default();
+        let known = ["title", "circuit", "parameters", "inputs", "at", "stop", "trace", "table", "plot", "expect"];
+        self.keys(root, &known, |reader, key, value| match key {
+            "title" => scenario.title = reader.text(value).unwrap_or_default(),
+            "circuit" => scenario.circuit = reader.text(value).unwrap_or_default(),
+            "parameters" => scenario.parameters = reader.entries(value, |r, v| r.whole(v, "a whole number")),
+            "inputs" => scenario.inputs = reader.entries(value, Reader::number),
+            "at" => scenario.changes = reader.changes(value),
+            "stop" => scenario.stop = reader.stop(value),
+            "trace" => scenario.trace = reader.trace(value),
+            "table" => scenario.table = reader.shown_table(value),
+            "plot" => scenario.plot = reader.plot(value),
+            _ => scenario.expect = reader.expect(value),
+        });
+        if !root.contains_key("circuit") {
+            let diagnostic =
+                Diagnostic::new("S004", "the scenario names no circuit").at(self.span(0..0), "in this file");
+            self.wrong.push(diagnostic.help("add a line such as: circuit = \"su1522157/interpolator\""));
+        }
+        scenario.changes.sort_by_key(|change| change.tick);
+        scenario
+    }
+
+    fn changes(&mut self, value: &Value<'_>) -> Vec<Change> {
+        let Some(list) = value.get_ref().as_array() else {
+            self.of_kind(value, "one or more [[at]] tables");
+            return Vec::new();
+        };
+        list.iter().filter_map(|entry| self.change(entry)).collect()
+    }
+
+    fn change(&mut self, value: &Value<'_>) -> Option<Change> {
+        let (mut tick, mut set) = (None, None);
+        let table = self.table(value)?;
+        self.keys(table, &["tick", "set"], |reader, key, value| match key {
+            "tick" => tick = reader.ticks(value),
+            _ => set = Some(reader.entries(value, Reader::number)),
+        });
+        if !table.contains_key("tick") || !table.contains_key("set") {
+            self.missing(value, "an [[at]] needs both `tick` and `set`, as in: tick = 3, set = { start = 1 }");
+        }
+        Some(Change { tick: tick?, set: set? })
+    }
+
+    fn missing(&mut self, value: &Value<'_>, message: &str) {
+        let span = self.span(value.span());
+        self.wrong.push(Diagnostic::new("S004", message).at(span, "here"));
+    }
+
+    fn stop(&mut self, value: &Value<'_>) -> Option<Stop> {
+        let (mut ticks, mut until, mut limit) = (None, None, None);
+        let table = self.table(value)?;
+        self.keys(table, &["ticks", "until", "limit"], |reader, key, value| match key {
+            "ticks" => ticks = reader.ticks(value),
+            "until" => {
+                let span = Some(reader.span(value.span()));
+                until = reader.text(value).map(|text| UntilNet::parse(&text, span));
+            }
+            _ => limit = reader.ticks(value),
+        });
+        match (ticks, until, limit) {
+            (Some(ticks), None, None) => Some(Stop::Ticks(ticks)),
+            (None, Some(net), Some(limit)) => Some(Stop::Until { net, limit }),
+            _ => {
+                self.missing(value, "a [stop] has either `ticks`, or `until` together with a `limit` of ticks");
+                None
+            }
+        }
+    }
+
+    fn trace(&mut self, value: &Value<'_>) -> Vec<Named<()>> {
+        let mut signals = Vec::new();
+        if let Some(table) = self.table(value) {
+            self.keys(table, &["signals"], |reader, _, value| signals = reader.names(value));
+        }
+        signals
+    }
+
+    fn shown_table(&mut self, value: &Value<'_>) -> Option<Table> {
+        let mut shown = Table::default();
+        let table = self.table(value)?;
+        self.keys(table, &["when", "columns"], |reader, key, value| match key {
+            "when" => shown.when = reader.one_name(value),
+            _ => shown.columns = reader.names(value),
+        });
+        Some(shown)
+    }
+
+    fn plot(&mut self, value: &Value<'_>) -> Option<Plot> {
+        let (mut x, mut y) = (None, None);
+        let table = self.table(value)?;
+        self.keys(table, &["x", "y"], |reader, key, value| match key {
+            "x" => x = reader.one_name(value),
+            _ => y = reader.one_name(value),
+        });
+        if !table.contains_key("x") || !table.contains_key("y") {
+            self.missing(value, "a [plot] needs both `x` and `y`");
+        }
+        Some(Plot { x: x?, y: y? })
+    }
+
+    fn expect(&mut self, value: &Value<'_>) -> Expectations {
+        let mut expect = Expectations::default();
+        let Some(table) = self.table(value) else { return expect };
+        self.keys(table, &["ticks", "stopped_by", "outputs", "pulses"], |reader, key, value| match key {
+            "ticks" => expect.ticks = reader.ticks(value),
+            "stopped_by" => expect.stopped_by = reader.stopped_by(value),
+            "outputs" => expect.outputs = reader.entries(value, Reader::number),
+            _ => expect.pulses = reader.entries(value, Reader::ticks),
+        });
+        expect
+    }
+
+    fn stopped_by(&mut self, value: &Value<'_>) -> Option<String> {
+        let known = ["until", "ticks", "limit"];
+        let text = self.text(value)?;
+        if !known.contains(&text.as_str()) {
+            self.of_kind(value, "\"until\", \"ticks\" or \"limit\"");
+        }
+        Some(text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GOOD: &str = r#"
+title = "A frame"
+circuit = "su1522157/interpolator"
+[parameters]
+WIDTH = 12
+[inputs]
+major_32 = 0x10
+slope = -0.5
+[[at]]
+tick = 5
+set = { start_33 = 0 }
+[[at]]
+tick = 0
+set = { start_33 = 1 }
+[stop]
+until = "!busy"
+limit = 1_000
+[trace]
+signals = ["step_*"]
+[table]
+when = "busy"
+columns = ["f"]
+[plot]
+x = "x"
+y = "y"
+[expect]
+ticks = 7
+stopped_by = "until"
+outputs = { f = -1 }
+pulses = { step_x_36 = 5 }
+"#;
+
+    fn errors(text: &str) -> String {
+        parse("bad.toml", text).expect_err("an error").to_string()
+    }
+
+    #[test]
+    fn every_key_is_read() {
+        let scenario = parse("good.toml", GOOD).expect("good");
+        assert_eq!(scenario.title, "A frame");
+        assert_eq!(scenario.parameters[0].value, 12);
+        assert_eq!(scenario.inputs[0].value, Number::Word(16));
+        assert_eq!(scenario.inputs[1].value, Number::Real(-0.5));
+        assert_eq!(scenario.changes.iter().map(|c| c.tick).collect::<Vec<_>>(), [0, 5]);
+        assert_eq!(scenario.first_judged_tick(), 5);
+        let Some(Stop::Until { net, limit: 1000 }) = scenario.stop else { panic!("stop") };
+        assert!(!net.high && net.net == "busy");
+        assert_eq!(scenario.expect.pulses[0].value, 5);
+        assert_eq!(scenario.expect.ticks, Some(7));
+    }
+
+    #[test]
+    fn an_unknown_key_is_shown_with_its_place_and_the_nearest_known_one() {
+        let text = errors("circuit = \"a/b\"\n[stop]\ntick = 3\n");
+        for part in ["S002", "bad.toml:3:1", "`tick`", "did you mean `ticks`?"] {
+            assert!(text.contains(part), "{part} in {text}");
+        }
+    }
+
+    #[test]
+    fn all_errors_of_a_file_come_at_once() {
+        let text = errors("circus = 1\ntitle = 7\n[inputs]\na = \"x\"\n[stop]\nuntil = \"b\"\n[[at]]\ntick = 1\n");
+        for part in [
+            "`circus`",
+            "names no circuit",
+            "expected a text",
+            "expected a number",
+            "`limit` of ticks",
+            "needs both `tick`",
+        ] {
+            assert!(text.contains(part), "{part} in {text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_toml_is_refused_with_its_place() {
+        assert!(errors("circuit = \n").contains("bad.toml:1"));
+        assert!(errors("\u{0}\u{1}").contains("S001"));
+        assert!(parse("deep.toml", &"[".repeat(100_000)).is_err());
+    }
+}
