@@ -45,7 +45,19 @@ impl std::fmt::Debug for dyn Block {
 }
 
 /// Every block there is, by kind and then by name.
-pub static REGISTRY: &[&dyn Block] = &[&arithmetic::summer::Summer];
+pub static REGISTRY: &[&dyn Block] = &[
+    &arithmetic::ones_complement_accumulator::OnesComplementAccumulator,
+    &arithmetic::summer::Summer,
+    &memory::register::Register,
+    &memory::rom::ReadOnlyMemory,
+    &memory::shift_register::ShiftRegister,
+    &memory::subtracting_counter::SubtractingCounter,
+    &memory::trigger::Trigger,
+    &routing::multiplexer::Multiplexer,
+    &timing::clock_generator::ClockGenerator,
+    &timing::delay_element::DelayElement,
+    &timing::pulse_distributor::PulseDistributor,
+];
 
 /// The block of a name.
 #[must_use]

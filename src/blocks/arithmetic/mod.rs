@@ -1,3 +1,4 @@
 //! Arithmetic: sums, products, quotients, roots.
 
+pub mod ones_complement_accumulator;
 pub mod summer;

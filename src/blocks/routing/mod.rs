@@ -1,1 +1,3 @@
 //! Routing: which word goes where.
+
+pub mod multiplexer;

@@ -1,1 +1,6 @@
 //! Timing: clocks, delays, sequences.
+
+mod chain;
+pub mod clock_generator;
+pub mod delay_element;
+pub mod pulse_distributor;
