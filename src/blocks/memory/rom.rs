@@ -43,9 +43,8 @@ impl Block for ReadOnlyMemory {
     fn build(&self, b: &mut Builder) {
         let (address_bits, width) = (b.count("ADDRESS"), b.count("WIDTH"));
         let sine = b.param("FUNCTION") == 1;
-        let entry = |address: u64| match sine {
-            false => address * address & mask(width),
-            true => quarter_sine(address, address_bits, width),
+        let entry = |address: u64| {
+            if sine { quarter_sine(address, address_bits, width) } else { (address * address) & mask(width) }
         };
         let image = MemoryImage::from_words(width, (0..1 << address_bits).map(entry));
         let word = b.rom(image, b.input("address"));
