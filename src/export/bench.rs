@@ -1,0 +1,129 @@
+//! A bench: a Verilog module that drives a circuit like a scenario does, and writes a waveform.
+
+use super::expression::{literal, range};
+use super::module::number;
+use super::page::Page;
+use crate::netlist::{Net, NetId, Netlist};
+
+/// What a bench does to a circuit.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Stimulus {
+    /// Ticks to run.
+    pub ticks: u64,
+    /// New words of inputs, in order of tick. Inputs are 0 before.
+    pub changes: Vec<InputChange>,
+}
+
+/// An input that takes a new word, and keeps it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct InputChange {
+    /// The first tick with the new word.
+    pub tick: u64,
+    /// Which of [`Netlist::inputs`].
+    pub input: usize,
+    /// The word; it must fit the input's width.
+    pub word: u64,
+}
+
+/// The module name of the bench of a circuit.
+#[must_use]
+pub fn bench_name(netlist: &Netlist) -> String {
+    format!("{}_bench", netlist.scopes[0].module)
+}
+
+/// The text of a Verilog-2005 file with a bench module that gives `stimulus` to the top module of `netlist` and
+/// writes `bench.vcd`.
+///
+/// The clock rises at 1, 2, 3 ... ns: what our waveforms show of tick t at t ns, this one shows from t to t + 1 ns.
+#[must_use]
+pub fn bench(netlist: &Netlist, stimulus: &Stimulus) -> String {
+    let top = &netlist.scopes[0].module;
+    let name = bench_name(netlist);
+    let mut page = Page::default();
+    page.line(format!("// A bench for `{top}`. Tick t is to be seen from t to t + 1 ns. With Icarus:"));
+    page.line("//");
+    page.line(format!("//     iverilog -g2005 -s {name} -o bench.vvp *.v && vvp -n bench.vvp && gtkwave bench.vcd"));
+    page.line("`timescale 1ns / 100ps");
+    page.line("`default_nettype none");
+    page.line("");
+    page.block(format!("module {name};"), "endmodule", |page| {
+        declarations(page, netlist);
+        page.line("");
+        instance(page, netlist);
+        page.line("");
+        page.block("initial begin", "end", clock);
+        page.line("");
+        page.block("initial begin", "end", |page| {
+            page.line("$dumpfile(\"bench.vcd\");");
+            page.line(format!("$dumpvars(0, {top});"));
+            drive(page, netlist, stimulus);
+        });
+    });
+    page.finish()
+}
+
+fn net(netlist: &Netlist, id: NetId) -> &Net {
+    &netlist.nets[id.index()]
+}
+
+/// The top module's port for the clock, if it has one.
+fn clock_port(netlist: &Netlist) -> Option<&Net> {
+    netlist.nets.iter().find(|net| net.scope.index() == 0 && net.is_clock && net.port.is_some())
+}
+
+fn declarations(page: &mut Page, netlist: &Netlist) {
+    page.line("reg clk;");
+    for (kind, ports) in [("reg", &netlist.inputs), ("wire", &netlist.outputs)] {
+        for port in ports.iter().map(|&id| net(netlist, id)) {
+            let sign = if port.signed { "signed " } else { "" };
+            page.line(format!("{kind} {sign}{}{};", range(port.width), port.name));
+        }
+    }
+}
+
+fn instance(page: &mut Page, netlist: &Netlist) {
+    let top = &netlist.scopes[0].module;
+    let parameters = netlist.parameters.iter().map(|(name, value)| format!(".{name}({})", number(*value)));
+    let parameters = parameters.collect::<Vec<_>>().join(", ");
+    let overrides = if parameters.is_empty() { String::new() } else { format!("#({parameters}) ") };
+    let clock = clock_port(netlist).map(|port| format!(".{}(clk)", port.name));
+    let ports = netlist.inputs.iter().chain(&netlist.outputs).map(|&id| &net(netlist, id).name);
+    let connections: Vec<_> = clock.into_iter().chain(ports.map(|name| format!(".{name}({name})"))).collect();
+    page.line(format!("{top} {overrides}{top} ({});", connections.join(", ")));
+}
+
+fn clock(page: &mut Page) {
+    page.line("clk = 1'b0;");
+    page.line("#1;");
+    page.block("forever begin", "end", |page| {
+        page.line("clk = 1'b1;");
+        page.line("#0.5 clk = 1'b0;");
+        page.line("#0.5;");
+    });
+}
+
+/// Inputs change together with the registers, by assignments that take effect after every register has read.
+fn drive(page: &mut Page, netlist: &Netlist, stimulus: &Stimulus) {
+    for (input, &id) in netlist.inputs.iter().enumerate() {
+        let first = stimulus.changes.iter().rfind(|change| change.tick == 0 && change.input == input);
+        let port = net(netlist, id);
+        page.line(format!("{} = {};", port.name, literal(first.map_or(0, |change| change.word), port.width)));
+    }
+    let mut now = 0;
+    for change in stimulus.changes.iter().filter(|change| (1..=stimulus.ticks).contains(&change.tick)) {
+        wait(page, change.tick - now);
+        now = change.tick;
+        let port = net(netlist, netlist.inputs[change.input]);
+        page.line(format!("{} <= {};", port.name, literal(change.word, port.width)));
+    }
+    wait(page, stimulus.ticks - now);
+    page.line("#0.5 $finish(0);");
+}
+
+fn wait(page: &mut Page, ticks: u64) {
+    match ticks {
+        0 => {}
+        1 => page.line("@(posedge clk);"),
+        _ => page.line(format!("repeat (64'd{ticks}) @(posedge clk);")),
+    }
+}

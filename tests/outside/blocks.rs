@@ -1,0 +1,101 @@
+//! Icarus and the interpreter agree on every output of every block, and of random ops.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use stepwright::blocks::{Block, Parameters, REGISTRY};
+use stepwright::compile::{Observe, compile};
+use stepwright::engine::{Engine, Interpreter};
+use stepwright::export;
+
+use super::duts::{Duts, stimulus};
+use super::mixture::Mixture;
+use super::random::Random;
+use super::{tools, wave};
+
+const TICKS: u64 = 300;
+
+/// The defaults, each parameter at either end, and three sets at random, as far as the block accepts them.
+fn corners(block: &dyn Block, random: &mut Random) -> Vec<Parameters> {
+    let description = block.description();
+    let mut all = vec![Parameters::defaults(description)];
+    for parameter in description.parameters {
+        for value in [parameter.min, parameter.max] {
+            let mut parameters = Parameters::defaults(description);
+            parameters.set(parameter.name, value);
+            all.push(parameters);
+        }
+    }
+    for _ in 0..3 {
+        let mut parameters = Parameters::defaults(description);
+        for p in description.parameters {
+            let values = p.max.abs_diff(p.min).saturating_add(1);
+            parameters.set(p.name, p.min.wrapping_add(random.below(values) as i64));
+        }
+        all.push(parameters);
+    }
+    all.retain(|parameters| block.check(parameters).is_ok());
+    all
+}
+
+/// Runs `duts` here and there, and compares every output at every tick.
+fn judge(duts: &Duts) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let stimulus = stimulus(TICKS);
+    // Levels below the top would be ops by the thousand.
+    let bench = export::bench(&duts.netlist, &stimulus).replace("$dumpvars(0,", "$dumpvars(1,");
+    for (name, text) in [("blocks.v", &export::verilog([&duts.netlist])), ("duts.v", &duts.text), ("bench.v", &bench)] {
+        std::fs::write(folder.path().join(name), text).expect("a file");
+    }
+    tools::icarus(folder.path(), "duts_bench", &["blocks.v", "duts.v", "bench.v"]);
+    let theirs = wave::read(&folder.path().join("bench.vcd"), TICKS);
+
+    let program = Arc::new(compile(&duts.netlist, &Observe::OUTPUTS));
+    let mut engine = Interpreter::new(Arc::clone(&program));
+    let mut changes = stimulus.changes.iter().peekable();
+    for tick in 0..=TICKS {
+        while let Some(change) = changes.next_if(|change| change.tick == tick) {
+            engine.set_input(change.input, change.word);
+        }
+        engine.settle();
+        for (output, port) in program.outputs.iter().enumerate() {
+            let (ours, theirs) = (engine.value(port.value), theirs[&format!("duts.{}", port.name)][tick as usize]);
+            assert_eq!(Some(ours), theirs, "tick {tick}, {} (ours, then Icarus)", duts.describe(output));
+        }
+        engine.advance(1, false);
+    }
+}
+
+#[test]
+fn icarus_agrees_on_every_block_at_the_corners_of_its_parameters() {
+    if !tools::present(&["iverilog", "vvp"]) {
+        return;
+    }
+    let mut random = Random(3);
+    let mut instances: Vec<(&'static dyn Block, Parameters)> = Vec::new();
+    for block in REGISTRY {
+        // Twice: the second time other bits of the random words reach its inputs.
+        let corners = corners(*block, &mut random);
+        assert!(!corners.is_empty(), "{block:?} accepts no parameters");
+        instances.extend(corners.iter().chain(&corners).map(|parameters| (*block, parameters.clone())));
+    }
+    judge(&Duts::new(instances));
+}
+
+#[test]
+fn icarus_agrees_on_random_ops_of_every_kind() {
+    if !tools::present(&["iverilog", "vvp"]) {
+        return;
+    }
+    let seeds = (0..64).map(|seed| {
+        let mut parameters = Parameters::defaults(Mixture.description());
+        assert!(parameters.set("SEED", seed));
+        parameters
+    });
+    let duts = Duts::new(seeds.map(|parameters| (&Mixture as &'static dyn Block, parameters)).collect());
+    let nodes = duts.netlist.cells.iter().flat_map(|cell| &cell.body.graph.nodes);
+    let kinds: HashSet<_> = nodes.map(|node| std::mem::discriminant(&node.op)).collect();
+    // All but `Copy`, which only connections are made of.
+    assert_eq!(kinds.len(), 26, "some op is not covered");
+    judge(&duts);
+}

@@ -1,0 +1,8 @@
+//! Outside judges: other people's tools read what we write and must come to the same values.
+
+mod blocks;
+mod duts;
+mod mixture;
+mod random;
+mod tools;
+mod wave;
