@@ -107,6 +107,11 @@ impl Sources {
         (name, text)
     }
 
+    /// All texts with their names, in the order they were added.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Arc<str>)> {
+        self.texts.iter().map(|(name, text)| (name.as_str(), text))
+    }
+
     /// `file:line:column` of the start of a span, counted from 1.
     #[must_use]
     pub fn place(&self, span: Span) -> String {

@@ -5,24 +5,15 @@ use super::module::number;
 use super::page::Page;
 use crate::netlist::{Net, NetId, Netlist};
 
-/// What a bench does to a circuit.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Stimulus {
-    /// Ticks to run.
+/// What a bench does to a circuit, in words of its inputs, which are numbered as in [`Netlist::inputs`].
+#[derive(Clone, Copy, Debug)]
+pub struct BenchInputs<'a> {
+    /// The word of every input at tick 0, before the changes of tick 0.
+    pub initial: &'a [u64],
+    /// Ticks in increasing order, each with the inputs that change in it and their new words, which they keep.
+    pub changes: &'a [(u64, Vec<(usize, u64)>)],
+    /// How many ticks to show: tick 0 to the one before this number. At least 1.
     pub ticks: u64,
-    /// New words of inputs, in order of tick. Inputs are 0 before.
-    pub changes: Vec<InputChange>,
-}
-
-/// An input that takes a new word, and keeps it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct InputChange {
-    /// The first tick with the new word.
-    pub tick: u64,
-    /// Which of [`Netlist::inputs`].
-    pub input: usize,
-    /// The word; it must fit the input's width.
-    pub word: u64,
 }
 
 /// The module name of the bench of a circuit.
@@ -31,12 +22,12 @@ pub fn bench_name(netlist: &Netlist) -> String {
     format!("{}_bench", netlist.scopes[0].module)
 }
 
-/// The text of a Verilog-2005 file with a bench module that gives `stimulus` to the top module of `netlist` and
-/// writes `bench.vcd`.
+/// The text of a Verilog-2005 file with a bench module that drives the top module of `netlist` and writes
+/// `bench.vcd`.
 ///
 /// The clock rises at 1, 2, 3 ... ns: what our waveforms show of tick t at t ns, this one shows from t to t + 1 ns.
 #[must_use]
-pub fn bench(netlist: &Netlist, stimulus: &Stimulus) -> String {
+pub fn bench(netlist: &Netlist, inputs: BenchInputs<'_>) -> String {
     let top = &netlist.scopes[0].module;
     let name = bench_name(netlist);
     let mut page = Page::default();
@@ -56,7 +47,7 @@ pub fn bench(netlist: &Netlist, stimulus: &Stimulus) -> String {
         page.block("initial begin", "end", |page| {
             page.line("$dumpfile(\"bench.vcd\");");
             page.line(format!("$dumpvars(0, {top});"));
-            drive(page, netlist, stimulus);
+            inputs.write(page, netlist);
         });
     });
     page.finish()
@@ -102,22 +93,23 @@ fn clock(page: &mut Page) {
     });
 }
 
-/// Inputs change together with the registers, by assignments that take effect after every register has read.
-fn drive(page: &mut Page, netlist: &Netlist, stimulus: &Stimulus) {
-    for (input, &id) in netlist.inputs.iter().enumerate() {
-        let first = stimulus.changes.iter().rfind(|change| change.tick == 0 && change.input == input);
-        let port = net(netlist, id);
-        page.line(format!("{} = {};", port.name, literal(first.map_or(0, |change| change.word), port.width)));
+impl BenchInputs<'_> {
+    /// Inputs change together with the registers, by assignments that take effect after every register has read.
+    fn write(&self, page: &mut Page, netlist: &Netlist) {
+        let set = |(input, word): (usize, u64), operator| {
+            let port = net(netlist, netlist.inputs[input]);
+            format!("{} {operator} {};", port.name, literal(word, port.width))
+        };
+        self.initial.iter().enumerate().for_each(|(input, &word)| page.line(set((input, word), "=")));
+        let (mut now, last) = (0, self.ticks.saturating_sub(1));
+        for (tick, words) in self.changes.iter().filter(|(tick, _)| *tick <= last) {
+            wait(page, tick - now);
+            now = *tick;
+            words.iter().for_each(|&word| page.line(set(word, if now == 0 { "=" } else { "<=" })));
+        }
+        wait(page, last - now);
+        page.line("#0.5 $finish(0);");
     }
-    let mut now = 0;
-    for change in stimulus.changes.iter().filter(|change| (1..=stimulus.ticks).contains(&change.tick)) {
-        wait(page, change.tick - now);
-        now = change.tick;
-        let port = net(netlist, netlist.inputs[change.input]);
-        page.line(format!("{} <= {};", port.name, literal(change.word, port.width)));
-    }
-    wait(page, stimulus.ticks - now);
-    page.line("#0.5 $finish(0);");
 }
 
 fn wait(page: &mut Page, ticks: u64) {

@@ -109,6 +109,9 @@ impl Expressions<'_> {
 
     fn memory_read(self, memory: &str, image: &MemoryImage, address: ValueId, width: u32) -> String {
         let word = format!("{memory}[{}]", self.index(image, address));
+        if let Some(at) = self.constant(address) {
+            return if at < image.depth() as u64 { word } else { literal(0, width) };
+        }
         match self.within(image, address) {
             Some(within) => format!("{within} ? {word} : {}", literal(0, width)),
             None => word,

@@ -7,8 +7,10 @@
 mod bench;
 mod body;
 mod expression;
+mod files;
 mod module;
 mod page;
 
-pub use bench::{InputChange, Stimulus, bench, bench_name};
+pub use bench::{BenchInputs, bench, bench_name};
+pub use files::{File, files};
 pub use module::{BRANCH, Specialisation, print, specialisations, verilog};

@@ -8,10 +8,11 @@ use stepwright::compile::{Observe, compile};
 use stepwright::engine::{Engine, Interpreter};
 use stepwright::export;
 
-use super::duts::{Duts, stimulus};
+use super::duts::{Duts, Stimulus};
 use super::mixture::Mixture;
 use super::random::Random;
-use super::{tools, wave};
+use super::tools;
+use super::wave::Wave;
 
 const TICKS: u64 = 300;
 
@@ -41,25 +42,24 @@ fn corners(block: &dyn Block, random: &mut Random) -> Vec<Parameters> {
 /// Runs `duts` here and there, and compares every output at every tick.
 fn judge(duts: &Duts) {
     let folder = tempfile::tempdir().expect("a folder");
-    let stimulus = stimulus(TICKS);
+    let stimulus = Stimulus::new(TICKS);
     // Levels below the top would be ops by the thousand.
-    let bench = export::bench(&duts.netlist, &stimulus).replace("$dumpvars(0,", "$dumpvars(1,");
+    let bench = export::bench(&duts.netlist, stimulus.drive()).replace("$dumpvars(0,", "$dumpvars(1,");
     for (name, text) in [("blocks.v", &export::verilog([&duts.netlist])), ("duts.v", &duts.text), ("bench.v", &bench)] {
         std::fs::write(folder.path().join(name), text).expect("a file");
     }
-    tools::icarus(folder.path(), "duts_bench", &["blocks.v", "duts.v", "bench.v"]);
-    let theirs = wave::read(&folder.path().join("bench.vcd"), TICKS);
+    tools::icarus(folder.path(), "duts_bench");
+    let wave = Wave::read(&folder.path().join("bench.vcd"));
 
     let program = Arc::new(compile(&duts.netlist, &Observe::OUTPUTS));
+    let theirs = program.outputs.iter().map(|port| wave.find(&format!("duts.{}", port.name)).expect("an output"));
+    let theirs: Vec<_> = theirs.collect();
     let mut engine = Interpreter::new(Arc::clone(&program));
-    let mut changes = stimulus.changes.iter().peekable();
-    for tick in 0..=TICKS {
-        while let Some(change) = changes.next_if(|change| change.tick == tick) {
-            engine.set_input(change.input, change.word);
-        }
+    for (tick, words) in &stimulus.changes {
+        words.iter().for_each(|&(input, word)| engine.set_input(input, word));
         engine.settle();
         for (output, port) in program.outputs.iter().enumerate() {
-            let (ours, theirs) = (engine.value(port.value), theirs[&format!("duts.{}", port.name)][tick as usize]);
+            let (ours, theirs) = (engine.value(port.value), theirs[output].at(*tick));
             assert_eq!(Some(ours), theirs, "tick {tick}, {} (ours, then Icarus)", duts.describe(output));
         }
         engine.advance(1, false);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use stepwright::base::word::mask;
 use stepwright::base::{SourceId, Sources, Span};
 use stepwright::blocks::{Block, Body, Builder, Direction, Parameters};
-use stepwright::export::{InputChange, Stimulus};
+use stepwright::export::BenchInputs;
 use stepwright::netlist::{Cell, CellId, CellKind, Drive, Net, NetId, Netlist, Part, Scope, ScopeId, Source};
 
 use super::random::Random;
@@ -88,23 +88,33 @@ impl Duts {
     }
 }
 
-/// New random words at every tick: dense ones, sparse ones as pulses come, and small numbers of either sign.
-pub fn stimulus(ticks: u64) -> Stimulus {
-    let mut random = Random(2);
-    let mut changes = Vec::new();
-    for tick in 0..ticks {
-        for input in 0..WORDS {
+/// What is done to the random words.
+pub struct Stimulus {
+    /// New words of all inputs at every tick.
+    pub changes: Vec<(u64, Vec<(usize, u64)>)>,
+}
+
+impl Stimulus {
+    /// New random words at every tick: dense ones, sparse ones as pulses come, and small numbers of either sign.
+    pub fn new(ticks: u64) -> Self {
+        let mut random = Random(2);
+        let mut word = |input: usize| {
             let dense = random.word();
-            let word = match input % 4 {
+            match input % 4 {
                 0 => dense,
                 1 => dense & random.word(),
                 2 => dense & random.word() & random.word() & random.word(),
                 _ => ((dense as i64) >> random.below(64)) as u64,
-            };
-            changes.push(InputChange { tick, input, word });
-        }
+            }
+        };
+        let mut all_words = || (0..WORDS).map(|input| (input, word(input))).collect();
+        Self { changes: (0..ticks).map(|tick| (tick, all_words())).collect() }
     }
-    Stimulus { ticks, changes }
+
+    /// The same for the bench.
+    pub fn drive(&self) -> BenchInputs<'_> {
+        BenchInputs { initial: &[0; WORDS], changes: &self.changes, ticks: self.changes.len() as u64 }
+    }
 }
 
 fn number(value: i64) -> String {

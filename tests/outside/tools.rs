@@ -39,11 +39,16 @@ pub fn run(folder: &Path, program: &str, arguments: &[&str]) -> Output {
     output
 }
 
-/// Compiles all Verilog files of a folder with Icarus, without warnings, and runs the bench.
-pub fn icarus(folder: &Path, bench: &str, sources: &[&str]) {
+/// Compiles all Verilog files of a folder with Icarus, without a warning, and runs the bench.
+pub fn icarus(folder: &Path, bench: &str) {
+    let entries = std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+    let mut files: Vec<_> = entries.map(|name| name.into_string().expect("a plain name")).collect();
+    files.retain(|name| name.ends_with(".v"));
+    files.sort();
     // The circuit files name no time unit, as they hold no delay; that one warning is of no use.
-    let options = ["-g2005", "-Wall", "-Wno-timescale", "-s", bench, "-o", "bench.vvp"];
-    let compiled = run(folder, "iverilog", &[&options[..], sources].concat());
+    let mut arguments = vec!["-g2005", "-Wall", "-Wno-timescale", "-s", bench, "-o", "bench.vvp"];
+    arguments.extend(files.iter().map(String::as_str));
+    let compiled = run(folder, "iverilog", &arguments);
     let warnings = String::from_utf8_lossy(&compiled.stderr);
     assert!(warnings.is_empty(), "{}: {warnings}", folder.display());
     run(folder, "vvp", &["-n", "bench.vvp"]);

@@ -1,40 +1,78 @@
-//! What Icarus wrote, tick by tick.
+//! What Icarus wrote: for each variable its word at every tick.
 
 use std::collections::HashMap;
 use std::path::Path;
 
-use vcd::{Command, Parser, ScopeItem, Value};
+use vcd::{Command, IdCode, Parser, ScopeItem, Value};
 
-/// Reads the waveform of an exported bench: for each variable its word at ticks `0..=ticks`, `None` where a bit is
-/// unknown. Names are dotted, below the bench.
-pub fn read(path: &Path, ticks: u64) -> HashMap<String, Vec<Option<u64>>> {
-    let file = std::io::BufReader::new(std::fs::File::open(path).expect("a waveform"));
-    let mut parser = Parser::new(file);
-    let header = parser.parse_header().expect("a header");
-    assert_eq!(header.timescale, Some((100, vcd::TimescaleUnit::PS)), "the bench's time unit");
-    let mut names = HashMap::new();
-    declared(&header.items, "", &mut names);
-    let mut now: HashMap<vcd::IdCode, Option<u64>> = HashMap::new();
-    let mut all: HashMap<vcd::IdCode, Vec<Option<u64>>> = HashMap::new();
-    let mut tick = 0;
-    for command in parser {
-        match command.expect("a command") {
-            Command::Timestamp(time) => {
-                // The values of a tick are those before the first time that is past it; half ticks are the clock's.
-                while tick <= ticks && tick * 10 < time {
-                    now.iter().for_each(|(id, value)| all.entry(*id).or_default().push(*value));
-                    tick += 1;
+/// The waveform of an exported bench.
+pub struct Wave {
+    names: HashMap<String, IdCode>,
+    /// Of each variable the ticks at which it changed, with the words since; `None` where a bit is unknown.
+    changes: HashMap<IdCode, Vec<(u64, Option<u64>)>>,
+}
+
+/// A variable of a [`Wave`].
+#[derive(Clone, Copy)]
+pub struct Variable<'w>(&'w [(u64, Option<u64>)]);
+
+impl Wave {
+    /// Reads the file that the bench wrote.
+    pub fn read(path: &Path) -> Self {
+        let file = std::io::BufReader::new(std::fs::File::open(path).expect("a waveform"));
+        let mut parser = Parser::new(file);
+        let header = parser.parse_header().expect("a header");
+        assert_eq!(header.timescale, Some((100, vcd::TimescaleUnit::PS)), "the bench's time unit");
+        let mut wave = Self { names: HashMap::new(), changes: HashMap::new() };
+        wave.declare(&header.items, "");
+        let mut tick = 0;
+        for command in parser {
+            let (id, word) = match command.expect("a command") {
+                // A tick lasts 1 ns; the clock, and nothing else, changes in the middle of it.
+                Command::Timestamp(time) => {
+                    tick = time / 10;
+                    continue;
                 }
+                Command::ChangeScalar(id, value) => (id, bit(value)),
+                Command::ChangeVector(id, value) => {
+                    (id, value.iter().try_fold(0, |word, value| Some(word << 1 | bit(value)?)))
+                }
+                _ => continue,
+            };
+            wave.changes.entry(id).or_default().push((tick, word));
+        }
+        wave
+    }
+
+    /// The variable of a dotted name below the bench.
+    pub fn find(&self, name: &str) -> Option<Variable<'_>> {
+        self.names.get(name).map(|id| Variable(self.changes.get(id).map_or(&[], Vec::as_slice)))
+    }
+
+    /// Takes the bench's own scope, and the branches that blocks are made in, out of the names.
+    fn declare(&mut self, items: &[ScopeItem], prefix: &str) {
+        for item in items {
+            match item {
+                ScopeItem::Scope(scope) if prefix.is_empty() => self.declare(&scope.items, "."),
+                ScopeItem::Scope(scope) if scope.identifier == stepwright::export::BRANCH => {
+                    self.declare(&scope.items, prefix);
+                }
+                ScopeItem::Scope(scope) => self.declare(&scope.items, &format!("{prefix}{}.", scope.identifier)),
+                ScopeItem::Var(var) => {
+                    self.names.insert(format!("{prefix}{}", var.reference)[1..].to_owned(), var.code);
+                }
+                _ => {}
             }
-            Command::ChangeScalar(id, value) => _ = now.insert(id, bit(value)),
-            Command::ChangeVector(id, value) => {
-                let word = value.iter().try_fold(0, |word, value| Some(word << 1 | bit(value)?));
-                now.insert(id, word);
-            }
-            _ => {}
         }
     }
-    names.into_iter().map(|(name, id)| (name, all.get(&id).cloned().unwrap_or_default())).collect()
+}
+
+impl Variable<'_> {
+    /// Its word at the end of a tick.
+    pub fn at(self, tick: u64) -> Option<u64> {
+        let past = self.0.partition_point(|(since, _)| *since <= tick);
+        self.0[..past].last().and_then(|(_, word)| *word)
+    }
 }
 
 fn bit(value: Value) -> Option<u64> {
@@ -42,19 +80,5 @@ fn bit(value: Value) -> Option<u64> {
         Value::V0 => Some(0),
         Value::V1 => Some(1),
         _ => None,
-    }
-}
-
-fn declared(items: &[ScopeItem], prefix: &str, names: &mut HashMap<String, vcd::IdCode>) {
-    for item in items {
-        match item {
-            ScopeItem::Scope(scope) if prefix.is_empty() => declared(&scope.items, ".", names),
-            ScopeItem::Scope(scope) if scope.identifier == stepwright::export::BRANCH => {
-                declared(&scope.items, prefix, names)
-            }
-            ScopeItem::Scope(scope) => declared(&scope.items, &format!("{prefix}{}.", scope.identifier), names),
-            ScopeItem::Var(var) => _ = names.insert(format!("{prefix}{}", var.reference).split_off(1), var.code),
-            _ => {}
-        }
     }
 }
