@@ -10,4 +10,5 @@ pub mod export;
 pub mod golden;
 pub mod netlist;
 pub mod scenario;
+pub mod simulation;
 pub mod trace;

@@ -4,6 +4,6 @@ mod model;
 mod number;
 mod reader;
 
-pub use model::{Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
+pub use model::{Axis, Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
 pub use number::Number;
 pub use reader::parse;

@@ -96,10 +96,29 @@ pub struct Table {
 /// A path to draw.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Plot {
-    /// Signal of the horizontal axis.
-    pub x: Named<()>,
-    /// Signal of the vertical axis.
-    pub y: Named<()>,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+}
+
+/// Where a coordinate comes from.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Axis {
+    /// The value of a signal.
+    Signal(Named<()>),
+    /// The sum of pulses so far, each net with the length of its step: `{ step_x_36 = 1, step_xy_38 = 0.75 }`.
+    Steps(Vec<Named<f64>>),
+}
+
+impl Plot {
+    /// The signals that have to be read.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        [&self.x, &self.y].into_iter().flat_map(|axis| match axis {
+            Axis::Signal(signal) => vec![signal.name.as_str()],
+            Axis::Steps(steps) => steps.iter().map(|step| step.name.as_str()).collect(),
+        })
+    }
 }
 
 /// What a run must come to.

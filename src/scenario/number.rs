@@ -51,6 +51,15 @@ impl Number {
         real.map(|real| Number::Real(if negative { -real } else { real })).ok_or_else(expected)
     }
 
+    /// The number itself.
+    #[must_use]
+    pub fn to_f64(self) -> f64 {
+        match self {
+            Number::Word(value) => value as f64,
+            Number::Real(value) => value,
+        }
+    }
+
     /// The word of `width` bits that stands for this number; a real number is rounded to the nearest word,
     /// halves away from zero.
     ///
@@ -73,6 +82,18 @@ impl Number {
             });
             format!("{self} does not fit {width} {kind} bits, which hold {low} to {high}{reals}")
         })
+    }
+}
+
+impl From<i64> for Number {
+    fn from(value: i64) -> Self {
+        Number::Word(value.into())
+    }
+}
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Number::Real(value)
     }
 }
 

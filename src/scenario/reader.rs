@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::model::{Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
+use super::model::{Axis, Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
 use super::number::Number;
 use crate::base::{Diagnostic, Report, SourceId, Sources, Span};
 
@@ -227,13 +227,21 @@ impl Reader {
         let (mut x, mut y) = (None, None);
         let table = self.table(value)?;
         self.keys(table, &["x", "y"], |reader, key, value| match key {
-            "x" => x = reader.one_name(value),
-            _ => y = reader.one_name(value),
+            "x" => x = reader.axis(value),
+            _ => y = reader.axis(value),
         });
         if !table.contains_key("x") || !table.contains_key("y") {
             self.missing(value, "a [plot] needs both `x` and `y`");
         }
         Some(Plot { x: x?, y: y? })
+    }
+
+    fn axis(&mut self, value: &Value<'_>) -> Option<Axis> {
+        if value.get_ref().is_table() {
+            let length = |reader: &mut Self, value: &Value<'_>| reader.number(value).map(Number::to_f64);
+            return Some(Axis::Steps(self.entries(value, length)));
+        }
+        self.one_name(value).map(Axis::Signal)
     }
 
     fn expect(&mut self, value: &Value<'_>) -> Expectations {
@@ -286,7 +294,7 @@ when = "busy"
 columns = ["f"]
 [plot]
 x = "x"
-y = "y"
+y = { up = 1, half_down = -0.5 }
 [expect]
 ticks = 7
 stopped_by = "until"
@@ -311,6 +319,7 @@ pulses = { step_x_36 = 5 }
         assert!(!net.high && net.net == "busy");
         assert_eq!(scenario.expect.pulses[0].value, 5);
         assert_eq!(scenario.expect.ticks, Some(7));
+        assert_eq!(scenario.plot.expect("a plot").names().collect::<Vec<_>>(), ["x", "up", "half_down"]);
     }
 
     #[test]

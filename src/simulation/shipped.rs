@@ -1,0 +1,36 @@
+//! The circuits and scenarios that the library carries.
+
+use std::sync::Arc;
+
+use crate::netlist::Library;
+
+/// Path below `circuits/` and text of every shipped file, in order of path.
+static FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
+
+/// The text of a shipped file by its path below `circuits/`, for example `su1522157/interpolator.v`.
+#[must_use]
+pub fn text(path: &str) -> Option<&'static str> {
+    FILES.iter().find(|(known, _)| *known == path).map(|(_, text)| *text)
+}
+
+/// The names of all shipped circuits (`v`) or scenarios (`toml`): their paths without the ending.
+pub fn names(ending: &str) -> impl Iterator<Item = &'static str> {
+    FILES.iter().filter_map(move |(path, _)| path.strip_suffix(ending)?.strip_suffix('.'))
+}
+
+/// Modules of the shipped circuits, those beside `near` (a path below `circuits/`) first.
+#[derive(Clone, Copy, Debug)]
+pub struct Shelf<'a> {
+    /// The circuit that asks.
+    pub near: &'a str,
+}
+
+impl Library for Shelf<'_> {
+    fn find(&self, module: &str) -> Option<(String, Arc<str>)> {
+        let folder = self.near.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let beside = format!("{folder}/{module}.v");
+        let anywhere = || FILES.iter().find(|(path, _)| path.rsplit('/').next() == Some(&format!("{module}.v")));
+        let (path, text) = FILES.iter().find(|(path, _)| *path == beside).or_else(anywhere)?;
+        Some((format!("circuits/{path}"), Arc::from(*text)))
+    }
+}
