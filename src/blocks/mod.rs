@@ -46,17 +46,37 @@ impl std::fmt::Debug for dyn Block {
 
 /// Every block there is, by kind and then by name.
 pub static REGISTRY: &[&dyn Block] = &[
+    &arithmetic::acceleration_meter::AccelerationMeter,
+    &arithmetic::delay_regulator::DelayRegulator,
+    &arithmetic::difference_circuit::DifferenceCircuit,
     &arithmetic::ones_complement_accumulator::OnesComplementAccumulator,
     &arithmetic::summer::Summer,
+    &logic::decoder::Decoder,
+    &logic::direction_control::DirectionControl,
+    &logic::polarity_detector::PolarityDetector,
+    &memory::binary_counter::BinaryCounter,
+    &memory::presettable_memory::PresettableMemory,
     &memory::register::Register,
+    &memory::reversible_counter::ReversibleCounter,
     &memory::rom::ReadOnlyMemory,
     &memory::shift_register::ShiftRegister,
     &memory::subtracting_counter::SubtractingCounter,
+    &memory::table_memory::TableMemory,
+    &memory::trajectory_counter::TrajectoryCounter,
     &memory::trigger::Trigger,
+    &pulses::binary_rate_multiplier::BinaryRateMultiplier,
+    &pulses::pulse_interleaver::PulseInterleaver,
+    &pulses::pulse_switch::PulseSwitch,
+    &pulses::sn7497::Sn7497,
     &routing::multiplexer::Multiplexer,
+    &routing::quadrant_switch::QuadrantSwitch,
     &timing::clock_generator::ClockGenerator,
     &timing::delay_element::DelayElement,
+    &timing::half_clock_delay::HalfClockDelay,
+    &timing::programmable_delay::ProgrammableDelay,
     &timing::pulse_distributor::PulseDistributor,
+    &timing::stop_switch::StopSwitch,
+    &timing::two_phase_clock::TwoPhaseClock,
 ];
 
 /// The block of a name.

@@ -1,1 +1,5 @@
 //! Logic: decisions made without memory.
+
+pub mod decoder;
+pub mod direction_control;
+pub mod polarity_detector;

@@ -1,7 +1,12 @@
 //! Memory: registers, triggers, counters, stores.
 
+pub mod binary_counter;
+pub mod presettable_memory;
 pub mod register;
+pub mod reversible_counter;
 pub mod rom;
 pub mod shift_register;
 pub mod subtracting_counter;
+pub mod table_memory;
+pub mod trajectory_counter;
 pub mod trigger;

@@ -1,0 +1,77 @@
+//! Trajectory counter: how many pulses of four lines have been sent, that is the way travelled.
+
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+
+/// The block.
+pub struct TrajectoryCounter;
+
+static DESCRIPTION: Description = Description {
+    name: "trajectory_counter",
+    kind: Kind::Memory,
+    summary: "Counts the pulses of several lines together and stays at its last state.",
+    doc: "At the end of a tick with `trailing` = 1 the count grows by the number of lines that carry a pulse. It does not \
+          depend on time or hold, only on the way travelled. When the sum no longer fits, the count stays at all ones \
+          (chosen: a wrap would take the words for the start of the stroke again).",
+    source: "US 3,809,868, FIG. 10, counter 346",
+    parameters: &[
+        Parameter { name: "WIDTH", default: 12, min: 4, max: 32, doc: "bits of the count" },
+        Parameter { name: "LINES", default: 4, min: 1, max: 8, doc: "pulse lines" },
+    ],
+    ports: &[
+        PortDescription::input("clear", Width::BIT, "sets the count to 0; wins over counting"),
+        PortDescription::input("lines", Width::Param("LINES"), "pulse lines"),
+        PortDescription::input("trailing", Width::BIT, "1 in the last tick of the pulses"),
+        PortDescription::output("count", Width::Param("WIDTH"), "pulses so far"),
+    ],
+    clocked: true,
+};
+
+impl Block for TrajectoryCounter {
+    fn description(&self) -> &'static Description {
+        &DESCRIPTION
+    }
+
+    fn check(&self, _: &Parameters) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn build(&self, b: &mut Builder) {
+        let (width, lines) = (b.count("WIDTH"), b.input("lines"));
+        let count = b.hold(width, 0);
+        let mut sum = b.zero_extend(count.q, width + 1);
+        for line in 0..b.count("LINES") {
+            let pulse = b.pick(lines, line);
+            let pulse = b.zero_extend(pulse, width + 1);
+            sum = b.add(sum, pulse);
+        }
+        let beyond = b.sign(sum);
+        let sum = b.slice(sum, 0, width);
+        let full = b.constant(u64::MAX, width);
+        let next = b.mux(beyond, full, sum);
+        b.load(count, next, b.input("trailing"), b.input("clear"));
+        b.output("count", count.q);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::blocks::bench::Bench;
+
+    #[test]
+    fn every_pulse_on_any_line_counts_until_the_counter_is_full() {
+        let mut bench = Bench::new("trajectory_counter", &[("WIDTH", 4)]);
+        bench.set("trailing", 1);
+        for (lines, count) in [(0b0001, 1), (0b1010, 3), (0, 3), (0b1111, 7), (0b1111, 11), (0b1111, 15), (0b0101, 15)]
+        {
+            bench.set("lines", lines);
+            bench.tick();
+            assert_eq!(bench.get("count"), count);
+        }
+        bench.set("clear", 1);
+        bench.tick();
+        assert_eq!(bench.get("count"), 0);
+        bench.set_all(&[("clear", 0), ("trailing", 0), ("lines", 15)]);
+        bench.tick();
+        assert_eq!(bench.get("count"), 0);
+    }
+}
