@@ -1,7 +1,17 @@
 //! Arithmetic: sums, products, quotients, roots.
 
+mod words;
+
 pub mod acceleration_meter;
 pub mod delay_regulator;
 pub mod difference_circuit;
+pub mod divider;
+pub mod multiplier;
 pub mod ones_complement_accumulator;
+pub mod reference;
+pub mod rounder;
+pub mod square_rooter;
+pub mod squaring_circuit;
 pub mod summer;
+pub mod summer_3;
+pub mod summer_4;

@@ -1,11 +1,12 @@
-//! Summer: the sum of any number of two's-complement words, each with a polarity.
+//! Summer with two inputs, each with a polarity, and an output held from the strobe on.
 //!
 //! ```text
-//!   terms[0] --(+/-)--\
-//!   terms[1] --(+/-)--->( sum )---> sum
-//!   terms[2] --(+/-)--/
+//!   a --(+/-)--\
+//!               >( sum )--[ register, strobe ]--> sum, overflow
+//!   b --(+/-)--/
 //! ```
 
+use super::words::build_summer;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
@@ -14,26 +15,26 @@ pub struct Summer;
 static DESCRIPTION: Description = Description {
     name: "summer",
     kind: Kind::Arithmetic,
-    summary: "Adds any number of words, each with its polarity.",
-    doc: "sum = +/- terms[0] +/- terms[1] ..., combinational, in two's complement modulo 2^OUT_WIDTH. \
-          `terms` is the concatenation of the input words, term 0 lowest; bit i of NEGATIVE set means that term i is \
-          subtracted.",
+    summary: "Adds two words, each with its polarity, at a strobe.",
+    doc: "sum(t+1) = strobe(t) ? +/- a(t) +/- b(t) : sum(t), in two's complement. Bit 0 of NEGATIVE set: a enters at an \
+          inverting input; bit 1: b. Words are aligned by wiring: an integer meets a word of n fraction bits as \
+          {word, n'b0}. `overflow` is held with the sum and is 1 when it does not fit WIDTH bits. With the strobe \
+          always 1 it sums at every tick. More inputs: `summer_3`, `summer_4`, or a chain.",
     source: "US 3,809,868, FIG. 3 and 5 to 8 (summers with inverting and noninverting inputs)",
     parameters: &[
-        Parameter { name: "WIDTH", default: 16, min: 1, max: 32, doc: "bits of each term" },
-        Parameter { name: "TERMS", default: 2, min: 1, max: 4, doc: "number of terms" },
-        Parameter { name: "OUT_WIDTH", default: 18, min: 1, max: 64, doc: "bits of the sum" },
-        Parameter { name: "NEGATIVE", default: 0, min: 0, max: 15, doc: "bit i: term i is subtracted" },
+        Parameter { name: "A_WIDTH", default: 16, min: 1, max: 62, doc: "bits of a" },
+        Parameter { name: "B_WIDTH", default: 16, min: 1, max: 62, doc: "bits of b" },
+        Parameter { name: "WIDTH", default: 17, min: 2, max: 64, doc: "bits of the sum" },
+        Parameter { name: "NEGATIVE", default: 0, min: 0, max: 3, doc: "mask of the inverting inputs, a is bit 0" },
     ],
     ports: &[
-        PortDescription::input(
-            "terms",
-            Width::Mul(&Width::Param("TERMS"), &Width::Param("WIDTH")),
-            "the terms, term 0 lowest",
-        ),
-        PortDescription::output("sum", Width::Param("OUT_WIDTH"), "their sum").signed(),
+        PortDescription::input("strobe", Width::BIT, "clocks the module"),
+        PortDescription::input("a", Width::Param("A_WIDTH"), "first term").signed(),
+        PortDescription::input("b", Width::Param("B_WIDTH"), "second term").signed(),
+        PortDescription::output("sum", Width::Param("WIDTH"), "the sum at the last strobe").signed(),
+        PortDescription::output("overflow", Width::BIT, "that sum did not fit"),
     ],
-    clocked: false,
+    clocked: true,
 };
 
 impl Block for Summer {
@@ -41,43 +42,55 @@ impl Block for Summer {
         &DESCRIPTION
     }
 
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        let bits = parameters.get("TERMS") * parameters.get("WIDTH");
-        if bits > 64 {
-            return Err(format!(
-                "TERMS * WIDTH is {bits}; at most 64 bits fit: use narrower words or a chain of summers"
-            ));
-        }
-        if parameters.get("OUT_WIDTH") < parameters.get("WIDTH") {
-            return Err("OUT_WIDTH is less than WIDTH: the sum would lose its top bits".into());
-        }
+    fn check(&self, _: &Parameters) -> Result<(), String> {
         Ok(())
     }
 
     fn build(&self, b: &mut Builder) {
-        let (width, out) = (b.count("WIDTH"), b.count("OUT_WIDTH"));
-        let negative = b.param("NEGATIVE");
-        let terms = b.input("terms");
-        let mut sum = b.constant(0, out);
-        for i in 0..b.count("TERMS") {
-            let term = b.slice(terms, i * width, width);
-            let term = b.sign_extend(term, out);
-            sum = if negative >> i & 1 == 1 { b.sub(sum, term) } else { b.add(sum, term) };
-        }
-        b.output("sum", sum);
+        build_summer(b, &["a", "b"]);
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::words::polar_sum;
     use crate::blocks::bench::Bench;
 
     #[test]
-    fn each_term_counts_with_its_polarity() {
-        let mut bench = Bench::new("summer", &[("WIDTH", 8), ("TERMS", 3), ("OUT_WIDTH", 12), ("NEGATIVE", 0b010)]);
-        for (a, b, c) in [(1, 2, 3), (-128, 127, -128), (127, -128, 127), (0, 0, 0)] {
-            bench.set("terms", (a & 255) | (b & 255) << 8 | (c & 255) << 16);
-            assert_eq!(bench.get_signed("sum"), a - b + c);
+    fn each_input_counts_with_its_polarity() {
+        for negative in 0..4 {
+            let parameters = [("A_WIDTH", 8), ("B_WIDTH", 6), ("WIDTH", 10), ("NEGATIVE", negative)];
+            let mut bench = Bench::new("summer", &parameters);
+            for terms in [[1, 2], [-128, 31], [127, -32], [-128, -32], [0, 0]] {
+                bench.set_all(&[("a", terms[0]), ("b", terms[1]), ("strobe", 1)]);
+                bench.tick();
+                assert_eq!(i128::from(bench.get_signed("sum")), polar_sum(&terms, negative));
+                assert_eq!(bench.get("overflow"), 0);
+            }
+        }
+    }
+
+    #[test]
+    fn the_sum_is_held_until_the_next_strobe() {
+        let mut bench = Bench::new("summer", &[]);
+        bench.set_all(&[("a", 5), ("b", 6), ("strobe", 1)]);
+        assert_eq!(bench.get("sum"), 0, "nothing happens before the clocking point");
+        bench.tick();
+        bench.set_all(&[("a", 100), ("strobe", 0)]);
+        bench.tick();
+        assert_eq!(bench.get("sum"), 11);
+    }
+
+    #[test]
+    fn overflow_tells_every_sum_that_does_not_fit() {
+        let mut bench = Bench::new("summer", &[("A_WIDTH", 5), ("B_WIDTH", 5), ("WIDTH", 4), ("NEGATIVE", 2)]);
+        bench.set("strobe", 1);
+        for a in -16..16 {
+            for b in -16..16 {
+                bench.set_all(&[("a", a), ("b", b)]);
+                bench.tick();
+                assert_eq!(bench.get("overflow") == 1, !(-8..8).contains(&(a - b)), "{a} - {b}");
+            }
         }
     }
 }
