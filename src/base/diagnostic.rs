@@ -37,7 +37,7 @@ impl Span {
 }
 
 /// One error. Codes never change their meaning; the first letter tells the room
-/// (`N` netlist, `S` scenario, `W` waveform, `C` command line, `X` export).
+/// (`N` netlist, `S` scenario, `W` waveform, `C` command line, `X` export, `E` engine).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Diagnostic {
     /// For example `N007`.

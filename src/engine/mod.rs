@@ -1,8 +1,14 @@
 //! Engines: they run a program tick by tick, and know nothing of traces.
 
+mod choose;
 mod interpreter;
+mod lockstep;
+mod native;
 
+pub use choose::{EngineKind, all};
 pub use interpreter::Interpreter;
+pub use lockstep::{Difference, Lockstep};
+pub use native::Native;
 
 use crate::base::ValueId;
 

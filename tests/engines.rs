@@ -1,0 +1,80 @@
+//! All engines agree, on random graphs of ops, with a plain reading of the ops and with each other.
+
+use std::sync::Arc;
+
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseError;
+use stepwright::compile::{Program, compile_graph};
+use stepwright::engine::{Engine, Interpreter, Lockstep, all};
+
+use crate::generate::graphs::{grow, recipes};
+use crate::generate::listing::listing;
+use crate::generate::plain::Plain;
+use crate::generate::stimulus::{Action, drive, setting, stimuli};
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn compiled_graphs_mean_what_the_ops_say(recipe in recipes(40), stimulus in stimuli(12)) {
+        let grown = grow(&recipe);
+        let program = Arc::new(compile_graph(grown.clone()));
+        let mut plain = Plain::new(&grown.graph, grown.inputs.len());
+        let mut engine = Interpreter::new(Arc::clone(&program));
+        for action in &stimulus {
+            run_plainly(&mut plain, &grown, action);
+            drive(&program, &mut engine, std::slice::from_ref(action));
+            if !matches!(action, Action::Set(..)) {
+                same_signals(&plain, &grown, &engine, &program)?;
+            }
+        }
+    }
+
+    #[test]
+    fn engines_agree_with_the_interpreter_tick_by_tick(recipe in recipes(60), stimulus in stimuli(12), stride in 1..5_u64) {
+        let program = Arc::new(compile_graph(grow(&recipe)));
+        for engine in all(&program) {
+            let twin = Box::new(Interpreter::new(Arc::clone(&program)));
+            let mut lockstep = Lockstep::new(&program, [twin, engine], stride);
+            drive(&program, &mut lockstep, &stimulus);
+            if let Some(difference) = lockstep.difference() {
+                let listing = listing(&program.graph);
+                return Err(TestCaseError::fail(format!("{difference}\nstimulus: {stimulus:?}\n{listing}")));
+            }
+        }
+    }
+}
+
+fn run_plainly(plain: &mut Plain<'_>, program: &Program, action: &Action) {
+    match *action {
+        Action::Set(input, word) => {
+            if let Some((input, word)) = setting(program, input, word) {
+                plain.inputs[input] = word;
+            }
+        }
+        Action::Settle => plain.settle(),
+        Action::Advance(ticks, until) => {
+            plain.settle();
+            for _ in 0..ticks {
+                plain.commit();
+                plain.settle();
+                if until && program.stop.is_some_and(|stop| plain.value(stop) != 0) {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+fn same_signals(
+    plain: &Plain<'_>,
+    grown: &Program,
+    engine: &Interpreter,
+    program: &Program,
+) -> Result<(), TestCaseError> {
+    for (before, after) in grown.signals.iter().zip(&program.signals) {
+        let (expected, got) = (plain.value(before.value), engine.value(after.value));
+        prop_assert_eq!(got, expected, "{}\n{}", before.name(), listing(&grown.graph));
+    }
+    Ok(())
+}

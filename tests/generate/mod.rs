@@ -1,0 +1,6 @@
+//! Random circuits and stimuli, for the tests and for the fuzz targets, and a plain reading of what they mean.
+
+pub mod graphs;
+pub mod listing;
+pub mod plain;
+pub mod stimulus;
