@@ -1,1 +1,33 @@
-//! Golden traces: read and compare waveforms, find the first divergence, bless.
+//! Golden traces: read and compare waveforms, find the first divergence and its cause, bless.
+//!
+//! Waveforms are compared by meaning: the same signals with the same values at every tick. Identifier codes, order,
+//! dates and dump commands do not matter.
+//!
+//! ```
+//! use stepwright::golden::{Signals, compare, read};
+//!
+//! let golden = "$scope module top $end $var wire 1 ! busy $end $upscope $end $enddefinitions $end\n\
+//!               #0\n0!\n#5\n1!\n#9\n";
+//! let expected = read("golden.vcd", golden.as_bytes())?;
+//! let got = read("run.vcd", golden.replace("#5", "#6").as_bytes())?;
+//! let comparison = compare(&expected, &got, Signals::All);
+//! let divergence = comparison.divergence.as_ref().expect("they differ at tick 5");
+//! assert_eq!((divergence.tick, divergence.nets[0].name.as_str()), (5, "top.busy"));
+//! assert!(comparison.to_string().starts_with("tick 5: top.busy expected 1, got 0\n"));
+//! # Ok::<(), stepwright::base::Report>(())
+//! ```
+
+mod bless;
+mod cause;
+mod compare;
+mod read;
+mod show;
+mod track;
+mod wave;
+
+pub use bless::{Changed, Summary};
+pub use cause::{Cause, Driven, Driver, Drivers, causes};
+pub use compare::{Comparison, Differing, Divergence, Signals, compare};
+pub use read::read;
+pub use track::{Track, Value};
+pub use wave::Waveform;

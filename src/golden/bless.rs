@@ -1,0 +1,117 @@
+//! What blessing changes: the summary that is printed when a golden trace is rewritten.
+
+use std::ops::Range;
+
+use super::{Signals, Waveform, compare};
+
+/// The differences between an old golden trace and the new one; shown, it is a report for a person.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Summary {
+    /// Whether there was no golden trace before.
+    pub is_new: bool,
+    /// How many signals the new one holds.
+    pub signals: usize,
+    /// The ticks it tells about.
+    pub span: Range<u64>,
+    /// The ticks the old one told about, when they differ.
+    pub old_span: Option<Range<u64>>,
+    /// Signals that are new.
+    pub added: Vec<String>,
+    /// Signals that are gone.
+    pub removed: Vec<String>,
+    /// Signals whose width differs: name, old and new bits.
+    pub widths: Vec<(String, u32, u32)>,
+    /// Signals whose values differ, the earliest first.
+    pub changed: Vec<Changed>,
+}
+
+/// A signal whose values differ.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Changed {
+    /// Its dotted name.
+    pub name: String,
+    /// The first tick at which it differs.
+    pub first: u64,
+    /// At how many ticks it does.
+    pub ticks: u64,
+}
+
+impl Summary {
+    /// What becomes different when `new` takes the place of `old`.
+    #[must_use]
+    pub fn new(old: Option<&Waveform>, new: &Waveform) -> Self {
+        let mut summary = Self {
+            is_new: old.is_none(),
+            signals: new.names().count(),
+            span: new.span(),
+            old_span: None,
+            added: Vec::new(),
+            removed: Vec::new(),
+            widths: Vec::new(),
+            changed: Vec::new(),
+        };
+        if let Some(old) = old {
+            let comparison = compare(old, new, Signals::All);
+            summary.changed = changed(old, new, &comparison.span);
+            summary.old_span = comparison.spans.map(|(old, _)| old);
+            (summary.removed, summary.added, summary.widths) =
+                (comparison.missing, comparison.extra, comparison.widths);
+        }
+        summary
+    }
+
+    /// Whether the new trace says what the old one said.
+    #[must_use]
+    pub fn is_unchanged(&self) -> bool {
+        let same_signals = self.added.is_empty() && self.removed.is_empty() && self.widths.is_empty();
+        !self.is_new && same_signals && self.old_span.is_none() && self.changed.is_empty()
+    }
+}
+
+fn changed(old: &Waveform, new: &Waveform, span: &Range<u64>) -> Vec<Changed> {
+    let mut all = Vec::new();
+    for name in new.names() {
+        let (Some(before), Some(after)) = (old.track(name), new.track(name)) else { continue };
+        if before.width() == after.width() {
+            let mut spans = before.differences(after, span.clone());
+            if let Some(first) = spans.next() {
+                let ticks = (first.end - first.start) + spans.map(|span| span.end - span.start).sum::<u64>();
+                all.push(Changed { name: name.to_owned(), first: first.start, ticks });
+            }
+        }
+    }
+    all.sort_by_key(|changed| changed.first);
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::golden::read;
+
+    fn wave(names: [&str; 2], body: &str) -> Waveform {
+        let [a, b] = names;
+        let header = format!("$scope module t $end $var wire 4 ! {a} $end $var wire 1 ? {b} $end $upscope $end ");
+        read("test", format!("{header}$enddefinitions $end\n{body}").as_bytes()).unwrap()
+    }
+
+    #[test]
+    fn signals_that_come_go_and_change_are_told_with_tick_and_count() {
+        let old = wave(["a", "b"], "#0\nb1 !\n0?\n#4\n1?\n#10\n");
+        let new = wave(["a", "c"], "#0\nb1 !\n0?\n#5\nb11 !\n#7\nb1 !\n#9\nb0 !\n#11\n");
+        let summary = Summary::new(Some(&old), &new);
+        assert_eq!(
+            summary.to_string(),
+            "t.c: added\nt.b: removed\nticks 0 up to 10 became 0 up to 11\nt.a: changed at 3 ticks, first at tick 5\n"
+        );
+    }
+
+    #[test]
+    fn a_first_golden_and_one_that_stays_are_told_as_such() {
+        let wave = wave(["a", "b"], "#0\nb1 !\n0?\n#10\n");
+        assert_eq!(Summary::new(None, &wave).to_string(), "new: 2 signals, 10 ticks\n");
+        let same = Summary::new(Some(&wave), &wave);
+        assert!(same.is_unchanged());
+        assert_eq!(same.to_string(), "unchanged: 2 signals, 10 ticks\n");
+    }
+}
