@@ -130,7 +130,7 @@ impl Flattener<'_> {
         let netlist = self.netlist;
         let owner = OwnerId::new(netlist.nets[net.index()].scope.index());
         let mut parts = Vec::new();
-        for drive in &netlist.nets[net.index()].drives {
+        for drive in &netlist.nets[net.index()].roots {
             let first = low.max(drive.low);
             let end = (low + width).min(drive.low + drive.width);
             if first < end {
@@ -149,6 +149,7 @@ impl Flattener<'_> {
                 let value = self.cells[cell.index()].outputs[output as usize];
                 self.slice(value, low + offset, width, owner)
             }
+            // Never in a root (invariant 7 of the netlist).
             Source::Net { net, low } => self.bits(net, low + offset, width),
             Source::Const(value) => {
                 let bits = value.checked_shr(offset).unwrap_or(0) & crate::base::word::mask(width);

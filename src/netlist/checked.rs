@@ -7,7 +7,8 @@
 //! 3. No combinational loop, judged by [`Body::combinational_edges`] and by the bits that nets route.
 //! 4. Every cell's parameters are in range and accepted by its block; words are 1 to 64 bits.
 //! 5. `clk` nets reach only `clk` ports.
-//! 6. Scope 0 is the top module; a scope comes after its parent.
+//! 6. Scope 0 is the top module; a scope comes after its parent, and stands at most 64 deep.
+//! 7. `Net::roots` are `Net::drives` with nets that only pass bits on followed to their end: none is a [`Source::Net`].
 
 use std::sync::Arc;
 
@@ -46,16 +47,16 @@ pub struct Netlist {
     pub outputs: Vec<NetId>,
 }
 
-/// A module instance.
+/// A module instance, or a turn of a generate loop in one.
 #[derive(Clone, Debug)]
 pub struct Scope {
-    /// Instance name; for the top, the module's name.
+    /// Instance name; for the top, the module's name; for a turn of a loop, `label[2]`.
     pub name: String,
     /// Enclosing instance; `None` for the top.
     pub parent: Option<ScopeId>,
-    /// Module name.
+    /// Module name; for a turn of a loop, that of the module around it, a dot and the label.
     pub module: String,
-    /// Parameter values in force: two scopes with equal `module` and `parameters` are built alike.
+    /// Parameter values in force, for a turn of a loop its genvar too: two scopes with equal `module` and `parameters` are built alike.
     pub parameters: Vec<(String, i64)>,
     /// Where it is instantiated.
     pub span: Span,
@@ -80,6 +81,8 @@ pub struct Net {
     pub is_clock: bool,
     /// What drives it, low bits first (empty for a clock).
     pub drives: Vec<Drive>,
+    /// The same, followed through other nets to an input, a cell or a constant.
+    pub roots: Vec<Drive>,
     /// Where it is declared.
     pub span: Span,
 }

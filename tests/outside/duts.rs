@@ -46,7 +46,7 @@ impl Duts {
 
     fn net(&mut self, name: String, width: u32, port: Direction, source: Source) -> NetId {
         let drives = vec![Drive { low: 0, width, source, span: NOWHERE() }];
-        self.netlist.nets.push(Net { name, width, port: Some(port), drives, ..clock() });
+        self.netlist.nets.push(Net { name, width, port: Some(port), roots: drives.clone(), drives, ..clock() });
         NetId::new(self.netlist.nets.len() - 1)
     }
 
@@ -136,6 +136,7 @@ fn clock() -> Net {
         port: Some(Direction::Input),
         is_clock: true,
         drives: Vec::new(),
+        roots: Vec::new(),
         span: NOWHERE(),
     }
 }

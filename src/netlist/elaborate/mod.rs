@@ -1,0 +1,126 @@
+//! From syntax tree to templates: parameters get values, names get nets, connections get bits.
+
+mod connect;
+mod constant;
+mod drives;
+mod evaluate;
+mod header;
+mod inside;
+mod instance;
+mod names;
+mod template;
+
+use std::collections::{HashMap, VecDeque};
+use std::rc::Rc;
+use std::sync::Arc;
+
+pub(super) use template::{LocalInstance, LocalNet, LocalSource, Piece, Template, TemplateId};
+
+use self::constant::Const;
+use self::names::Names;
+use self::template::{Override, TemplatePort};
+use super::errors::Errors;
+use super::limits;
+use super::syntax::Module;
+use crate::base::{Diagnostic, Span};
+use crate::blocks::{Block, Body, Builder, Gate, Parameters};
+
+/// All modules in reach, by name.
+pub(super) type Modules<'t> = HashMap<&'t str, &'t Module>;
+
+/// Elaborates `top` and all it instantiates; the first template is the top's.
+pub(super) fn elaborate<'t>(
+    modules: &Modules<'t>,
+    top: &'t Module,
+    parameters: &'t [(String, i64)],
+    errors: &mut Errors,
+) -> Vec<Template<'t>> {
+    let mut elaborator = Elaborator {
+        modules,
+        templates: Vec::new(),
+        ports: Vec::new(),
+        waiting: VecDeque::new(),
+        known: HashMap::new(),
+        bodies: HashMap::new(),
+        gates: HashMap::new(),
+        errors,
+        parts: 0,
+    };
+    let given = parameters.iter().map(|(name, value)| Override { name, value: Const::integer(*value), span: None });
+    elaborator.template(top, given.collect());
+    while let Some(waiting) = elaborator.waiting.pop_front() {
+        inside::elaborate(&mut elaborator, waiting);
+        if elaborator.errors.is_full() || elaborator.is_exhausted() {
+            break;
+        }
+    }
+    elaborator.templates
+}
+
+/// A template whose header is known and whose inside is still to be elaborated.
+struct Waiting<'t> {
+    id: TemplateId,
+    names: Names<'t>,
+    overrides: Vec<Override<'t>>,
+}
+
+struct Elaborator<'e, 't> {
+    modules: &'e Modules<'t>,
+    templates: Vec<Template<'t>>,
+    /// The ports of each template.
+    ports: Vec<Rc<[TemplatePort]>>,
+    waiting: VecDeque<Waiting<'t>>,
+    known: HashMap<(&'t str, Vec<(&'t str, Const)>), Option<TemplateId>>,
+    bodies: HashMap<(&'static str, Parameters), Arc<Body>>,
+    gates: HashMap<(Gate, usize), Arc<Body>>,
+    errors: &'e mut Errors,
+    parts: u64,
+}
+
+impl<'t> Elaborator<'_, 't> {
+    /// The template of a module with some of its parameters given; its inside is elaborated later. `None` when
+    /// its header is wrong, which has been told.
+    fn template(&mut self, module: &'t Module, overrides: Vec<Override<'t>>) -> Option<TemplateId> {
+        let mut key: Vec<_> = overrides.iter().map(|given| (given.name, given.value)).collect();
+        key.sort_unstable_by_key(|(name, _)| *name);
+        let key = (&*module.name.text, key);
+        if let Some(known) = self.known.get(&key) {
+            return *known;
+        }
+        let id = TemplateId::new(self.templates.len());
+        let errors = self.errors.count;
+        let (template, names) = header::elaborate(module, &overrides, self.errors);
+        self.ports.push(template.nets.iter().map(TemplatePort::of).collect());
+        self.templates.push(template);
+        self.waiting.push_back(Waiting { id, names, overrides });
+        let result = (self.errors.count == errors).then_some(id);
+        self.known.insert(key, result);
+        result
+    }
+
+    /// The ops of a block, shared by all its instances of equal parameters.
+    fn body(&mut self, block: &'static dyn Block, parameters: &Parameters) -> Arc<Body> {
+        let key = (block.description().name, parameters.clone());
+        let body = self.bodies.entry(key).or_insert_with(|| Arc::new(Builder::build(block, parameters)));
+        Arc::clone(body)
+    }
+
+    fn gate(&mut self, gate: Gate, inputs: usize) -> Arc<Body> {
+        Arc::clone(self.gates.entry((gate, inputs)).or_insert_with(|| Arc::new(gate.body(inputs))))
+    }
+
+    /// Counts what is written out, and tells once when it is too much.
+    fn count_parts(&mut self, parts: u64, span: Span) {
+        let before = self.is_exhausted();
+        self.parts = self.parts.saturating_add(parts);
+        if self.is_exhausted() && !before {
+            let message = format!("the circuit has more than {} parts", limits::PARTS);
+            let help = "nets, instances and pieces of connections count, each turn of a `for` anew";
+            self.errors.push(Diagnostic::new("N006", message).at(span, "the limit is passed here").help(help));
+        }
+    }
+
+    fn is_exhausted(&self) -> bool {
+        self.parts > limits::PARTS
+    }
+}

@@ -1,0 +1,219 @@
+//! Load: a text, and the modules it needs from elsewhere, to a checked netlist.
+
+use std::collections::{HashMap, HashSet};
+use std::path::Path;
+
+use super::checked::Netlist;
+use super::elaborate::{self, Modules};
+use super::errors::Errors;
+use super::syntax::{self, Item, Module};
+use super::{Library, assemble, limits};
+use crate::base::{Diagnostic, Report, Sources, Span};
+use crate::blocks;
+
+/// Reads a circuit.
+///
+/// `name` is what messages show for `text`, usually its path. `top` is the module to take; without it the one that
+/// is named as the file, or else the only one that no other module of the file instantiates. Modules that are not in
+/// the file come from `library`. `parameters` are those of the top module that are to differ from their defaults.
+///
+/// # Errors
+/// All that is wrong, with places; the codes are listed at [`crate::netlist`].
+pub fn load(
+    name: &str,
+    text: &str,
+    top: Option<&str>,
+    library: &dyn Library,
+    parameters: &[(String, i64)],
+) -> Result<Netlist, Report> {
+    let mut loader = Loader { sources: Sources::default(), errors: Errors::default() };
+    let netlist = loader.load(name, text, top, library, parameters);
+    match netlist {
+        Some(netlist) if loader.errors.is_empty() => Ok(netlist),
+        _ => Err(Report::new(loader.sources, loader.errors.into_list())),
+    }
+}
+
+struct Loader {
+    sources: Sources,
+    errors: Errors,
+}
+
+impl Loader {
+    fn load(
+        &mut self,
+        name: &str,
+        text: &str,
+        top: Option<&str>,
+        library: &dyn Library,
+        parameters: &[(String, i64)],
+    ) -> Option<Netlist> {
+        let mut files = self.parse(name, text);
+        let (main, is_broken) = (files.len(), !self.errors.is_empty());
+        self.close(&mut files, library);
+        let modules = self.by_name(&files);
+        let top = match choose_top(name, top, &files[..main]) {
+            Ok(top) => top,
+            Err(error) => {
+                // Without a readable module the errors told so far are the reason.
+                if !is_broken || main > 0 {
+                    self.errors.push(error);
+                }
+                return None;
+            }
+        };
+        if self.is_recursive(&modules, top) {
+            return None;
+        }
+        let templates = elaborate::elaborate(&modules, top, parameters, &mut self.errors);
+        if !self.errors.is_empty() {
+            return None;
+        }
+        assemble::assemble(&self.sources, &templates, &mut self.errors)
+    }
+
+    fn parse(&mut self, name: &str, text: &str) -> Vec<Module> {
+        if let Some(why) = unreadable(text) {
+            self.errors.push(Diagnostic::new("N001", format!("{name} {why}")));
+            return Vec::new();
+        }
+        let source = self.sources.add(name, text);
+        let modules = syntax::parse(source, text, &mut self.errors);
+        if modules.is_empty() && self.errors.is_empty() {
+            self.errors.push(Diagnostic::new("N001", format!("{name} holds no module")));
+        }
+        modules
+    }
+
+    /// Adds the modules that are used but not there.
+    fn close(&mut self, files: &mut Vec<Module>, library: &dyn Library) {
+        let mut known: HashSet<Box<str>> = files.iter().map(|module| module.name.text.clone()).collect();
+        let mut next = 0;
+        while next < files.len() {
+            for name in used(&files[next]) {
+                if blocks::find(&name).is_some() || !known.insert(name.clone()) {
+                    continue;
+                }
+                if let Some((file, text)) = library.find(&name) {
+                    let found = self.parse(&file, &text);
+                    known.extend(found.iter().map(|module| module.name.text.clone()));
+                    files.extend(found);
+                }
+            }
+            next += 1;
+        }
+    }
+
+    fn by_name<'t>(&mut self, files: &'t [Module]) -> Modules<'t> {
+        let mut modules = Modules::new();
+        for module in files {
+            let name = &module.name;
+            if blocks::find(&name.text).is_some() {
+                let diagnostic = Diagnostic::new("N011", format!("`{}` is the name of a block", name.text));
+                self.errors.push(diagnostic.at(name.span, "a module here").help("give the module another name"));
+            } else if let Some(first) = modules.get(&*name.text) {
+                let diagnostic = Diagnostic::new("N011", format!("two modules are called `{}`", name.text));
+                self.errors.push(diagnostic.at(name.span, "again here").at(first.name.span, "first here"));
+            } else {
+                modules.insert(&name.text, module);
+            }
+        }
+        modules
+    }
+
+    /// Whether a module in reach of `top` stands, at some depth, in itself.
+    fn is_recursive<'t>(&mut self, modules: &Modules<'t>, top: &'t Module) -> bool {
+        let mut open: Vec<(&'t Module, Vec<(Box<str>, Span)>)> = vec![(top, instances(top))];
+        // Modules seen; `false` once all inside them is.
+        let mut state: HashMap<&str, bool> = HashMap::from([(&*top.name.text, true)]);
+        let mut found = false;
+        while let Some((module, left)) = open.last_mut() {
+            let Some((name, span)) = left.pop() else {
+                state.insert(&module.name.text, false);
+                open.pop();
+                continue;
+            };
+            let Some(inner) = modules.get(&*name).copied() else { continue };
+            match state.get(&*name) {
+                None => {
+                    state.insert(&inner.name.text, true);
+                    open.push((inner, instances(inner)));
+                }
+                Some(true) => {
+                    found = true;
+                    let way: Vec<_> = open.iter().map(|(module, _)| &*module.name.text).collect();
+                    self.errors.push(recursion(&name, span, &way));
+                }
+                Some(false) => {}
+            }
+        }
+        found
+    }
+}
+
+fn recursion(name: &str, span: Span, way: &[&str]) -> Diagnostic {
+    let start = way.iter().position(|module| *module == name).unwrap_or(0);
+    let diagnostic = Diagnostic::new("N026", format!("the module `{name}` contains itself"));
+    let diagnostic = diagnostic.at(span, "instantiated inside itself");
+    let round: Vec<_> = way[start..].iter().take(20).copied().chain([name]).collect();
+    diagnostic.help(format!("{}: hardware ends somewhere", round.join(" > ")))
+}
+
+/// Why a text cannot be a circuit, if it cannot.
+fn unreadable(text: &str) -> Option<String> {
+    if text.len() > limits::TEXT_BYTES {
+        return Some(format!("has {} bytes; at most {} are read", text.len(), limits::TEXT_BYTES));
+    }
+    if text.trim().is_empty() {
+        return Some("is empty".into());
+    }
+    let strange = text.char_indices().find(|(_, c)| c.is_control() && !c.is_whitespace());
+    strange.map(|(at, c)| format!("is no text: byte {at} is `{}`", c.escape_default()))
+}
+
+/// The modules that a module instantiates, with places.
+fn instances(module: &Module) -> Vec<(Box<str>, Span)> {
+    let mut all = Vec::new();
+    let mut open: Vec<&Item> = module.items.iter().rev().collect();
+    while let Some(item) = open.pop() {
+        match item {
+            Item::Instance(instance) => all.push((instance.module.text.clone(), instance.module.span)),
+            Item::For(inner) => open.extend(inner.items.iter().rev()),
+            _ => {}
+        }
+    }
+    all
+}
+
+fn used(module: &Module) -> Vec<Box<str>> {
+    instances(module).into_iter().map(|(name, _)| name).collect()
+}
+
+fn choose_top<'m>(name: &str, top: Option<&str>, modules: &'m [Module]) -> Result<&'m Module, Diagnostic> {
+    let find = |wanted: &str| modules.iter().find(|module| *module.name.text == *wanted);
+    let names = || modules.iter().map(|module| &*module.name.text);
+    if let Some(top) = top {
+        return find(top).ok_or_else(|| {
+            let diagnostic = Diagnostic::new("N027", format!("{name} holds no module `{top}`"));
+            diagnostic.nearest(top, names()).help(format!("its modules: {}", names().collect::<Vec<_>>().join(", ")))
+        });
+    }
+    let stem = Path::new(name).file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+    if let Some(module) = find(stem) {
+        return Ok(module);
+    }
+    let inner: HashSet<Box<str>> = modules.iter().flat_map(used).collect();
+    let outer: Vec<_> = modules.iter().filter(|module| !inner.contains(&module.name.text)).collect();
+    match outer[..] {
+        [module] => Ok(module),
+        _ => {
+            let list: Vec<_> = outer.iter().map(|module| &*module.name.text).collect();
+            let mut diagnostic = Diagnostic::new("N027", format!("{name} has no one top module"));
+            for module in outer.iter().take(10) {
+                diagnostic = diagnostic.at(module.name.span, "instantiated by none");
+            }
+            let help = format!("name the file as the top module, `{stem}`; or choose one of: {}", list.join(", "));
+            Err(diagnostic.help(help))
+        }
+    }
+}

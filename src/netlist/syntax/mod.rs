@@ -1,0 +1,16 @@
+//! From text to syntax tree: lexer, numbers, parser.
+
+mod expression;
+mod header;
+mod item;
+mod lexer;
+mod number;
+mod parser;
+mod refuse;
+mod tree;
+
+pub(super) use parser::parse;
+pub(super) use tree::{
+    Binary, Connection, Expr, ExprKind, For, GateInstance, Instance, Item, Module, Name, NetType, Parameter,
+    ParameterKind, Port, Range, Unary,
+};
