@@ -1,1 +1,87 @@
 //! The command line: the only room that prints and opens files by name.
+
+mod args;
+mod check;
+mod diff;
+mod drivers;
+mod export;
+mod files;
+mod judge;
+mod list;
+mod picture;
+mod prepare;
+mod run;
+mod show;
+mod waves;
+
+use std::io::{self, IsTerminal, Write};
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+
+use crate::base::Report;
+use args::{Arguments, Command};
+
+/// How a command ended; the exit status of DESIGN part 4.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ending {
+    /// Done, and everything equal.
+    Done,
+    /// A difference, a failed expectation, a limit reached.
+    Different,
+    /// Wrong input, which has been reported already.
+    Wrong,
+    /// Nothing was selected.
+    Nothing,
+}
+
+impl From<Ending> for ExitCode {
+    fn from(ending: Ending) -> Self {
+        ExitCode::from(match ending {
+            Ending::Done => 0,
+            Ending::Different => 1,
+            Ending::Wrong => 2,
+            Ending::Nothing => 3,
+        })
+    }
+}
+
+/// Parses the command line, does what it says, and tells how it ended. Wrong usage or input ends with 2.
+#[must_use]
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match command(arguments.command) {
+        Ok(ending) => ending.into(),
+        Err(report) => {
+            eprint!("{}", report.render(colored(&io::stderr())));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn command(command: Command) -> Result<Ending, Report> {
+    match command {
+        Command::List { what } => list::list(what),
+        Command::Show { name } => show::show(&name),
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Check { scenarios, bless, engine } => check::check(&scenarios, bless, engine),
+        Command::Diff { a, b } => diff::diff(&a, &b),
+        Command::Export { target, verilog } => export::export(&target, &verilog),
+        Command::Completions { shell } => {
+            clap_complete::generate(shell, &mut Arguments::command(), "stepwright", &mut io::stdout());
+            Ok(Ending::Done)
+        }
+    }
+}
+
+/// Whether to write colours: to a terminal, unless `NO_COLOR` is set (no-color.org) or the terminal is dumb.
+fn colored(stream: &impl IsTerminal) -> bool {
+    let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    stream.is_terminal() && !set("NO_COLOR") && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
+}
+
+/// Writes a result to standard output. A reader that has gone away (`| head`) is no error.
+fn print(text: &str) {
+    let mut out = io::stdout().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}

@@ -84,11 +84,11 @@ impl UntilNet {
     }
 }
 
-/// A table of signals, a row for each tick in which `when` is high (every tick without it).
+/// A table of signals, a row for each tick in which one of `when` is high (every tick without them).
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Table {
-    /// Strobe net.
-    pub when: Option<Named<()>>,
+    /// Strobe nets.
+    pub when: Vec<Named<()>>,
     /// Signals, in order; empty for all outputs.
     pub columns: Vec<Named<()>>,
 }

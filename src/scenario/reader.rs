@@ -217,7 +217,8 @@ impl Reader {
         let mut shown = Table::default();
         let table = self.table(value)?;
         self.keys(table, &["when", "columns"], |reader, key, value| match key {
-            "when" => shown.when = reader.one_name(value),
+            "when" if value.get_ref().is_str() => shown.when.extend(reader.one_name(value)),
+            "when" => shown.when = reader.names(value),
             _ => shown.columns = reader.names(value),
         });
         Some(shown)

@@ -21,7 +21,7 @@ const MOST_DECIMALS: u32 = 9;
 ///     value: ValueId::new(value),
 /// };
 /// let signals = [signal("f", 16, 3, 0), signal("step", 1, 0, 1)];
-/// let mut table = Table::new(&signals, &["f".to_owned(), "step".to_owned()], Some("step"))?;
+/// let mut table = Table::new(&signals, &["f".to_owned(), "step".to_owned()], &["step".to_owned()])?;
 /// for (tick, words) in [[0u64, 1], [7, 0], [0xFFEB, 1]].iter().enumerate() {
 ///     table.sample(tick as u64, |id| words[id.index()]);
 /// }
@@ -35,16 +35,17 @@ const MOST_DECIMALS: u32 = 9;
 #[derive(Clone, Debug)]
 pub struct Table {
     columns: Vec<Signal>,
-    when: Option<(String, ValueId)>,
+    when: Vec<(String, ValueId)>,
     rows: Vec<(u64, Vec<u64>)>,
 }
 
 impl Table {
-    /// A table of `columns`, names below the top module, sampled at the ticks at which `when` is not 0, or at all.
+    /// A table of `columns`, names below the top module, sampled at the ticks at which one of `when` is
+    /// not 0, or at all.
     ///
     /// # Errors
     /// `W003` for each name that no signal has, with the nearest one.
-    pub fn new(signals: &[Signal], columns: &[String], when: Option<&str>) -> Result<Self, Report> {
+    pub fn new(signals: &[Signal], columns: &[String], when: &[String]) -> Result<Self, Report> {
         let mut wrong = Vec::new();
         let names: Vec<_> = signals.iter().map(Signal::name).collect();
         let mut find = |name: &str| {
@@ -55,7 +56,7 @@ impl Table {
             at.map(|at| signals[at].clone())
         };
         let columns = columns.iter().filter_map(|name| find(name)).collect();
-        let when = when.and_then(|name| Some((name.to_owned(), find(name)?.value)));
+        let when = when.iter().filter_map(|name| Some((name.clone(), find(name)?.value))).collect();
         if wrong.is_empty() {
             Ok(Self { columns, when, rows: Vec::new() })
         } else {
@@ -65,7 +66,7 @@ impl Table {
 
     /// Takes a row if this tick is one of the table's.
     pub fn sample(&mut self, tick: u64, read: impl Fn(ValueId) -> u64) {
-        if self.when.as_ref().is_none_or(|(_, value)| read(*value) != 0) {
+        if self.when.is_empty() || self.when.iter().any(|(_, value)| read(*value) != 0) {
             self.rows.push((tick, self.columns.iter().map(|column| read(column.value)).collect()));
         }
     }
@@ -118,10 +119,11 @@ impl fmt::Display for Table {
             let cells = line.iter().zip(&widths).map(|(text, width)| format!("{text:>0$}", width.unwrap_or(0)));
             writeln!(f, "{}", cells.collect::<Vec<_>>().join("  "))?;
         }
-        match &self.when {
-            Some((name, _)) if self.rows.is_empty() => writeln!(f, "(no row: `{name}` was never high)"),
-            _ => Ok(()),
+        if self.rows.is_empty() && !self.when.is_empty() {
+            let names: Vec<_> = self.when.iter().map(|(name, _)| format!("`{name}`")).collect();
+            writeln!(f, "(no row: {} was never high)", names.join(" or "))?;
         }
+        Ok(())
     }
 }
 
@@ -162,14 +164,15 @@ mod tests {
     #[test]
     fn unknown_names_are_told_together_with_the_nearest() {
         let signals = [signal("busy", 1, false, None)];
-        let report = Table::new(&signals, &["bussy".to_owned(), "zzz".to_owned()], Some("bsy")).unwrap_err();
+        let report = Table::new(&signals, &["bussy".to_owned(), "zzz".to_owned()], &["bsy".to_owned()]).unwrap_err();
         assert_eq!(report.diagnostics.iter().map(|wrong| wrong.code).collect::<Vec<_>>(), ["W003"; 3]);
         assert!(report.to_string().contains("did you mean `busy`?"), "{report}");
     }
 
     #[test]
     fn a_table_without_rows_says_why() {
-        let mut table = Table::new(&[signal("busy", 1, false, None)], &["busy".to_owned()], Some("busy")).unwrap();
+        let mut table =
+            Table::new(&[signal("busy", 1, false, None)], &["busy".to_owned()], &["busy".to_owned()]).unwrap();
         table.sample(0, |_| 0);
         assert_eq!(table.to_string(), "tick  busy\n(no row: `busy` was never high)\n");
     }
@@ -177,7 +180,7 @@ mod tests {
     #[test]
     fn pulses_are_points_and_ones_and_columns_align_right() {
         let signals = [signal("busy", 1, false, None), signal("n", 8, true, None)];
-        let mut table = Table::new(&signals, &["busy".to_owned(), "n".to_owned()], None).unwrap();
+        let mut table = Table::new(&signals, &["busy".to_owned(), "n".to_owned()], &[]).unwrap();
         for (tick, word) in [(9, 0), (10, 0xFF)] {
             table.sample(tick, |_| word);
         }

@@ -1,0 +1,190 @@
+//! What can be typed: the command line as `clap` types.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::engine::EngineKind;
+use crate::scenario::Number;
+
+/// Cycle-accurate simulator for digital interpolation hardware.
+#[derive(Parser, Debug)]
+#[command(name = "stepwright", version, max_term_width = 100, after_help = EXAMPLES)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  stepwright list                                          the shipped circuits
+  stepwright run su1522157/table1 --table                  the patent's table 1, row by row
+  stepwright run su1522157/interpolator -s major_32=127 -s minor_34=43 --vcd out.vcd --gtkw out.gtkw
+  stepwright run us3809868/fig09_function_generator        a quarter ellipse
+  stepwright check                                         every scenario against its golden trace
+
+Exit status: 0 done and equal; 1 a difference or a failed expectation; 2 wrong usage or input; 3 nothing selected.
+Colours follow the terminal and the variable NO_COLOR.";
+
+/// A command.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// List the shipped circuits or the blocks
+    List {
+        /// What to list
+        #[arg(value_enum, default_value_t = Listed::Circuits)]
+        what: Listed,
+    },
+    /// Show ports, parameters, figure and documentation of a circuit or block
+    #[command(after_help = "Examples:\n  stepwright show su1522157/interpolator\n  stepwright show summer")]
+    Show {
+        /// A circuit (name or path) or a block
+        name: String,
+    },
+    /// Run a circuit or a scenario
+    Run(RunArguments),
+    /// Run scenarios and compare them with their golden traces and expectations
+    #[command(after_help = "Examples:\n  stepwright check\n  stepwright check circuits/su1522157/table1.toml\n  \
+        stepwright check --bless    rewrite the golden traces and tell what changed\n\n\
+        The golden trace of circuits/A/B.toml is traces/A/B.vcd. The variable STEPWRIGHT_BLESS=1 does what --bless does.")]
+    Check {
+        /// Scenario files, or names below ./circuits; all of ./circuits when none is given
+        scenarios: Vec<String>,
+        /// Rewrite the golden traces and print what changed (refused when the variable CI is set)
+        #[arg(long)]
+        bless: bool,
+        /// Engine to run on
+        #[arg(long, value_name = "NAME", default_value = "auto", value_parser = engine())]
+        engine: EngineKind,
+    },
+    /// Compare two waveform files and show where they first differ
+    #[command(after_help = "Example:\n  stepwright diff traces/su1522157/table1.vcd out.vcd")]
+    Diff {
+        /// The expected waveform (VCD)
+        a: PathBuf,
+        /// The other one
+        b: PathBuf,
+    },
+    /// Write a circuit in a form that other tools read
+    #[command(after_help = "Example:\n  stepwright export su1522157/table1 --verilog out\n  \
+        iverilog -g2005 -o bench.vvp out/*.v && vvp -n bench.vvp")]
+    Export {
+        /// What to export
+        #[command(flatten)]
+        target: Target,
+        /// Write the circuit's files, the blocks and a bench as Verilog into this folder
+        #[arg(long, value_name = "DIR")]
+        verilog: PathBuf,
+    },
+    /// Print a completion script for a shell
+    #[command(after_help = "Example:\n  stepwright completions bash > /etc/bash_completion.d/stepwright")]
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+}
+
+/// What `list` lists.
+#[derive(ValueEnum, Clone, Copy, Debug)]
+pub enum Listed {
+    /// The shipped circuits and their scenarios
+    Circuits,
+    /// The blocks that circuits are made of
+    Blocks,
+}
+
+/// What to run and with which values: shared by the commands that run something.
+#[derive(Args, Debug)]
+pub struct Target {
+    /// A circuit or scenario: a shipped name such as su1522157/interpolator, or a path to a .v or .toml file
+    #[arg(value_name = "CIRCUIT|SCENARIO")]
+    pub target: String,
+    /// Hold an input at a value: decimal, 0x.., 0b.., or a real number for a fixed-point port
+    #[arg(short, long = "set", value_name = "NAME=VALUE", value_parser = assignment::<Number>, allow_hyphen_values = true)]
+    pub set: Vec<(String, Number)>,
+    /// Set a parameter of the circuit
+    #[arg(short, long = "param", value_name = "NAME=VALUE", value_parser = assignment::<i64>, allow_hyphen_values = true)]
+    pub param: Vec<(String, i64)>,
+    /// Run so many ticks
+    #[arg(long, value_name = "N", conflicts_with_all = ["until", "limit"])]
+    pub ticks: Option<u64>,
+    /// Run until a net is high, or with ! low
+    #[arg(long, value_name = "NET|!NET")]
+    pub until: Option<String>,
+    /// Give up after so many ticks (exit status 1)
+    #[arg(long, value_name = "N")]
+    pub limit: Option<u64>,
+    /// Engine to run on
+    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = engine())]
+    pub engine: EngineKind,
+}
+
+/// Arguments of `run`.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:\n  \
+    stepwright run su1522157/table1 --table\n  \
+    stepwright run su1522157/interpolator -s major_32=8 -s minor_34=3 -p MINUS_ZERO=1 --json\n  \
+    stepwright run ./my.v -s start=1 --until done --vcd my.vcd --trace 'counter_*' --from 100 --to 200")]
+pub struct RunArguments {
+    /// What to run.
+    #[command(flatten)]
+    pub target: Target,
+    /// Write the waveform as VCD
+    #[arg(long, value_name = "FILE")]
+    pub vcd: Option<PathBuf>,
+    /// Write the waveform as FST
+    #[arg(long, value_name = "FILE")]
+    pub fst: Option<PathBuf>,
+    /// Write a GTKWave save file for the waveform
+    #[arg(long, value_name = "FILE")]
+    pub gtkw: Option<PathBuf>,
+    /// Trace only the signals that match (dotted names; may be given again)
+    #[arg(long, value_name = "GLOB")]
+    pub trace: Vec<String>,
+    /// Trace from this tick on
+    #[arg(long, value_name = "TICK")]
+    pub from: Option<u64>,
+    /// Trace up to and including this tick
+    #[arg(long, value_name = "TICK")]
+    pub to: Option<u64>,
+    /// Print a table of signals, tick by tick or as the scenario's [table] says
+    #[arg(long, conflicts_with = "json")]
+    pub table: bool,
+    /// Print the result as one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// An engine by its name; `clap` lists the names and suggests the nearest.
+fn engine() -> impl TypedValueParser<Value = EngineKind> {
+    PossibleValuesParser::new(EngineKind::ALL.map(EngineKind::name))
+        .try_map(|name| name.parse::<EngineKind>().map_err(|error| error.message))
+}
+
+/// `NAME=VALUE`.
+fn assignment<T: FromText>(text: &str) -> Result<(String, T), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
+    T::from_text(value.trim()).map(|value| (name.trim().to_owned(), value))
+}
+
+/// A value that can stand after `NAME=`.
+trait FromText: Sized {
+    fn from_text(text: &str) -> Result<Self, String>;
+}
+
+impl FromText for Number {
+    fn from_text(text: &str) -> Result<Self, String> {
+        Number::parse(text)
+    }
+}
+
+impl FromText for i64 {
+    fn from_text(text: &str) -> Result<Self, String> {
+        match Number::parse(text)? {
+            Number::Word(value) => i64::try_from(value).map_err(|_| format!("{value} does not fit 64 bits")),
+            Number::Real(_) => Err(format!("`{text}` is not a whole number")),
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! `stepwright check`: scenarios against their golden traces and expectations.
+
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::drivers::drivers;
+use super::prepare::{self, Prepared};
+use super::run::selection;
+use super::{Ending, colored, files, judge, print};
+use crate::base::{Diagnostic, Report};
+use crate::compile::{Observe, Program, compile};
+use crate::engine::{Engine, EngineKind};
+use crate::golden::{self, Comparison, Signals, Summary, Waveform};
+use crate::simulation;
+use crate::trace::{Plan, Sampler, VcdWriter, Window};
+
+pub(super) fn check(named: &[String], bless: bool, engine: EngineKind) -> Result<Ending, Report> {
+    let bless = bless || set("STEPWRIGHT_BLESS");
+    if bless && set("CI") {
+        let diagnostic = Diagnostic::new("C005", "golden traces are not blessed in CI");
+        return Err(diagnostic.help("bless where the waveforms can be looked at, and commit them").into());
+    }
+    let root = Path::new("circuits");
+    let scenarios =
+        if named.is_empty() { files::below(root, "toml") } else { named.iter().map(scenario_path).collect() };
+    if scenarios.is_empty() {
+        eprintln!("there is nothing to check: no scenario below ./circuits");
+        return Ok(Ending::Nothing);
+    }
+    let verdicts: Vec<_> = scenarios.par_iter().map(|path| judge_one(path, bless, engine)).collect();
+    let mut tally = Tally::default();
+    for (path, verdict) in scenarios.iter().zip(verdicts) {
+        tally.take(path, verdict);
+    }
+    if named.is_empty() {
+        tally.lost(&lost_goldens(&scenarios));
+    }
+    Ok(tally.end())
+}
+
+fn set(name: &str) -> bool {
+    std::env::var_os(name).is_some_and(|value| !value.is_empty() && value != "0")
+}
+
+/// A scenario is named by its file, or by its name below `circuits`.
+fn scenario_path(named: &String) -> PathBuf {
+    if named.ends_with(".toml") { PathBuf::from(named) } else { Path::new("circuits").join(named.clone() + ".toml") }
+}
+
+/// `circuits/A/B.toml` -> `traces/A/B.vcd`, beside the last folder called `circuits`.
+fn golden_path(scenario: &Path) -> Result<PathBuf, Report> {
+    let parts: Vec<_> = scenario.components().collect();
+    let place = parts.iter().rposition(|part| *part == Component::Normal("circuits".as_ref())).ok_or_else(|| {
+        let message = format!("{} has no golden trace: it is in no folder `circuits`", scenario.display());
+        Diagnostic::new("C006", message).help("the golden trace of circuits/A/B.toml is traces/A/B.vcd")
+    })?;
+    let before = parts[..place].iter().collect::<PathBuf>();
+    let below = parts[place + 1..].iter().collect::<PathBuf>();
+    Ok(before.join("traces").join(below).with_extension("vcd"))
+}
+
+/// What came of a scenario that could be run.
+enum Verdict {
+    Equal(String),
+    Different(String),
+    Blessed(String),
+}
+
+fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> Result<Verdict, Report> {
+    let golden = golden_path(path)?;
+    let ran = Ran::scenario(path, engine)?;
+    if bless {
+        return ran.bless(&golden);
+    }
+    let mut wrong = ran.failed.clone();
+    if golden.is_file() {
+        let expected = read_waveform(&golden)?;
+        let comparison = golden::compare(&expected, &ran.waveform, Signals::All);
+        if !comparison.is_equal() {
+            wrong.push(ran.explain(&comparison, &expected, path, &golden));
+        }
+    } else {
+        wrong.push(format!("there is no golden trace {}\n{}", golden.display(), how_to_bless(path)));
+    }
+    let text = format!("{} ticks, {} signals", ran.ticks, ran.waveform.names().count());
+    Ok(if wrong.is_empty() { Verdict::Equal(text) } else { Verdict::Different(wrong.join("\n")) })
+}
+
+pub(super) fn read_waveform(path: &Path) -> Result<Waveform, Report> {
+    golden::read(&path.display().to_string(), files::read_bytes(path)?.as_slice())
+}
+
+fn how_to_bless(scenario: &Path) -> String {
+    format!("to accept what came out: stepwright check --bless {}", scenario.display())
+}
+
+/// A scenario that has been run and traced.
+struct Ran {
+    prepared: Prepared,
+    vcd: Vec<u8>,
+    waveform: Waveform,
+    ticks: u64,
+    failed: Vec<String>,
+    engine: &'static str,
+}
+
+impl Ran {
+    fn scenario(path: &Path, engine: EngineKind) -> Result<Self, Report> {
+        let text = files::read(path)?;
+        let scenario = crate::scenario::parse(&text.name, &text.text)?;
+        let circuit = files::circuit_of(&text, &scenario.circuit)?;
+        let prepared = prepare::build(scenario, Some(&text), circuit)?;
+        let select = selection(&[], &prepared.scenario)?;
+        let signals = |name: &str| select.matches(name);
+        let observe = Observe { signals: &signals, until: prepared.stimulus.stop.until, pulses: true };
+        let program = Arc::new(compile(&prepared.netlist, &observe));
+        let all =
+            || compile(&prepared.netlist, &Observe::EVERYTHING).signals.iter().map(crate::base::Signal::name).collect();
+        select.check(&program.signals, all)?;
+        let mut engine = engine.build(Arc::clone(&program), prepared.stimulus.stop.ticks)?;
+        let (vcd, outcome) = traced(engine.as_mut(), &program, &prepared)
+            .map_err(|error| Diagnostic::new("C003", format!("the trace could not be kept: {error}")))?;
+        let waveform = golden::read("the run", vcd.as_slice())?;
+        let failed = judge::failed_expectations(&prepared.scenario.expect, &program, &outcome);
+        Ok(Self { vcd, waveform, ticks: outcome.ticks, failed, engine: engine.name(), prepared })
+    }
+
+    fn bless(self, golden: &Path) -> Result<Verdict, Report> {
+        if !self.failed.is_empty() {
+            return Ok(Verdict::Different(self.failed.join("\n")));
+        }
+        let old = if golden.is_file() { Some(read_waveform(golden)?) } else { None };
+        let summary = Summary::new(old.as_ref(), &self.waveform);
+        if summary.is_unchanged() {
+            return Ok(Verdict::Equal("unchanged".to_owned()));
+        }
+        if let Some(folder) = golden.parent() {
+            std::fs::create_dir_all(folder).map_err(|error| files::unwritable(golden, &error))?;
+        }
+        files::write_bytes(golden, &self.vcd)?;
+        Ok(Verdict::Blessed(format!("{}: {summary}", golden.display())))
+    }
+
+    /// The first difference, where it comes from, and what to do now.
+    fn explain(&self, comparison: &Comparison, expected: &Waveform, scenario: &Path, golden: &Path) -> String {
+        let mut text = format!("circuit {}, engine {}\n{comparison}", self.prepared.circuit, self.engine);
+        if let Some(divergence) = &comparison.divergence {
+            let nets: Vec<_> = divergence.nets.iter().map(|net| net.name.as_str()).collect();
+            let known = drivers(&self.prepared.netlist);
+            for cause in golden::causes(expected, &self.waveform, &known, &nets, divergence.tick).iter().take(3) {
+                let _ = writeln!(text, "{cause}");
+            }
+        }
+        let _ = writeln!(text, "to look: gtkwave {}", golden.display());
+        text + &how_to_bless(scenario)
+    }
+}
+
+fn traced(
+    engine: &mut dyn Engine,
+    program: &Program,
+    prepared: &Prepared,
+) -> io::Result<(Vec<u8>, simulation::Outcome)> {
+    let plan = Plan::new(&program.signals);
+    let mut sampler = Sampler::new(&plan, Window::ALL);
+    let mut vcd = VcdWriter::new(Vec::new(), &plan)?;
+    let mut written = Ok(());
+    let mut sample = |tick: u64, engine: &dyn Engine| {
+        if let (Ok(()), Some(changes)) = (&written, sampler.sample(tick, |id| engine.value(id))) {
+            written = vcd.tick(tick, changes);
+        }
+    };
+    let outcome = simulation::run(engine, program, &prepared.stimulus, Some(&mut sample));
+    written?;
+    Ok((vcd.finish()?, outcome))
+}
+
+/// Golden traces whose scenario is gone: a lost scenario must not go unseen.
+fn lost_goldens(scenarios: &[PathBuf]) -> Vec<PathBuf> {
+    let known: Vec<_> = scenarios.iter().filter_map(|path| golden_path(path).ok()).collect();
+    let all = files::below(Path::new("traces"), "vcd");
+    all.into_iter().filter(|golden| !known.contains(golden)).collect()
+}
+
+#[derive(Default)]
+struct Tally {
+    equal: usize,
+    blessed: usize,
+    different: usize,
+    broken: usize,
+}
+
+impl Tally {
+    fn take(&mut self, path: &Path, verdict: Result<Verdict, Report>) {
+        let name = path.display();
+        match verdict {
+            Ok(Verdict::Equal(text)) => {
+                self.equal += 1;
+                print(&format!("ok       {name} ({text})\n"));
+            }
+            Ok(Verdict::Blessed(text)) => {
+                self.blessed += 1;
+                print(&format!("blessed  {name}\n{}\n", indented(&text)));
+            }
+            Ok(Verdict::Different(text)) => {
+                self.different += 1;
+                print(&format!("DIFFERS  {name}\n{}\n", indented(&text)));
+            }
+            Err(report) => {
+                self.broken += 1;
+                print(&format!("BROKEN   {name}\n"));
+                let _ = io::stderr().write_all(report.render(colored(&io::stderr())).as_bytes());
+            }
+        }
+    }
+
+    fn lost(&mut self, goldens: &[PathBuf]) {
+        for golden in goldens {
+            self.different += 1;
+            print(&format!("LOST     {}: its scenario is gone\n", golden.display()));
+        }
+    }
+
+    fn end(self) -> Ending {
+        let Self { equal, blessed, different, broken } = self;
+        print(&format!("{equal} equal, {blessed} blessed, {different} different, {broken} broken\n"));
+        match (different, broken) {
+            (0, 0) => Ending::Done,
+            (_, 0) => Ending::Different,
+            _ => Ending::Wrong,
+        }
+    }
+}
+
+fn indented(text: &str) -> String {
+    text.lines().map(|line| format!("    {line}")).collect::<Vec<_>>().join("\n")
+}
