@@ -49,7 +49,7 @@ fn judge(duts: &Duts) {
         std::fs::write(folder.path().join(name), text).expect("a file");
     }
     tools::icarus(folder.path(), "duts_bench");
-    let wave = Wave::read(&folder.path().join("bench.vcd"));
+    let wave = Wave::of_bench(&folder.path().join("bench.vcd"));
 
     let program = Arc::new(compile(&duts.netlist, &Observe::OUTPUTS));
     let theirs = program.outputs.iter().map(|port| wave.find(&format!("duts.{}", port.name)).expect("an output"));

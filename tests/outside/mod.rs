@@ -2,6 +2,7 @@
 
 mod blocks;
 mod duts;
+mod linters;
 mod mixture;
 mod random;
 mod tools;

@@ -13,11 +13,14 @@ pub fn present(tools: &[&str]) -> bool {
         return true;
     }
     let required = std::env::var_os("STEPWRIGHT_REQUIRE_TOOLS").is_some();
-    assert!(!required, "missing: {missing:?}. Install them: apt-get install iverilog gtkwave xvfb xauth");
+    assert!(
+        !required,
+        "missing: {missing:?}. Install them: apt-get install iverilog verilator yosys gtkwave xvfb xauth"
+    );
     // Straight to the standard error: the test harness hides what is printed by a test that passes.
     use std::io::Write;
     let message = format!(
-        "\n*** SKIPPED, NOT CHECKED: {missing:?} not installed (apt-get install iverilog gtkwave xvfb xauth) ***\n"
+        "\n*** SKIPPED, NOT CHECKED: {missing:?} not installed (apt-get install iverilog verilator yosys gtkwave xvfb xauth) ***\n"
     );
     std::io::stderr().write_all(message.as_bytes()).expect("standard error takes text");
     false

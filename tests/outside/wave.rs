@@ -3,9 +3,10 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use vcd::{Command, IdCode, Parser, ScopeItem, Value};
+use stepwright::export::BRANCH;
+use vcd::{Command, IdCode, Parser, ScopeItem, TimescaleUnit, Value};
 
-/// The waveform of an exported bench.
+/// A waveform.
 pub struct Wave {
     names: HashMap<String, IdCode>,
     /// Of each variable the ticks at which it changed, with the words since; `None` where a bit is unknown.
@@ -17,14 +18,16 @@ pub struct Wave {
 pub struct Variable<'w>(&'w [(u64, Option<u64>)]);
 
 impl Wave {
-    /// Reads the file that the bench wrote.
-    pub fn read(path: &Path) -> Self {
+    /// Reads what an exported bench wrote: without the bench's own scope, and without those of the branches that
+    /// blocks are made in.
+    pub fn of_bench(path: &Path) -> Self {
         let file = std::io::BufReader::new(std::fs::File::open(path).expect("a waveform"));
         let mut parser = Parser::new(file);
         let header = parser.parse_header().expect("a header");
-        assert_eq!(header.timescale, Some((100, vcd::TimescaleUnit::PS)), "the bench's time unit");
+        assert_eq!(header.timescale, Some((100, TimescaleUnit::PS)), "the bench's time unit");
+        let [ScopeItem::Scope(bench)] = &header.items[..] else { panic!("the bench's scope is the only one") };
         let mut wave = Self { names: HashMap::new(), changes: HashMap::new() };
-        wave.declare(&header.items, "");
+        wave.declare(&bench.items, "");
         let mut tick = 0;
         for command in parser {
             let (id, word) = match command.expect("a command") {
@@ -49,18 +52,12 @@ impl Wave {
         self.names.get(name).map(|id| Variable(self.changes.get(id).map_or(&[], Vec::as_slice)))
     }
 
-    /// Takes the bench's own scope, and the branches that blocks are made in, out of the names.
     fn declare(&mut self, items: &[ScopeItem], prefix: &str) {
         for item in items {
             match item {
-                ScopeItem::Scope(scope) if prefix.is_empty() => self.declare(&scope.items, "."),
-                ScopeItem::Scope(scope) if scope.identifier == stepwright::export::BRANCH => {
-                    self.declare(&scope.items, prefix);
-                }
+                ScopeItem::Scope(scope) if scope.identifier == BRANCH => self.declare(&scope.items, prefix),
                 ScopeItem::Scope(scope) => self.declare(&scope.items, &format!("{prefix}{}.", scope.identifier)),
-                ScopeItem::Var(var) => {
-                    self.names.insert(format!("{prefix}{}", var.reference)[1..].to_owned(), var.code);
-                }
+                ScopeItem::Var(var) => _ = self.names.insert(format!("{prefix}{}", var.reference), var.code),
                 _ => {}
             }
         }

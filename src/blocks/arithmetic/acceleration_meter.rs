@@ -98,7 +98,7 @@ fn axis(b: &mut Builder, up: &str, down: &str, update: ValueId) -> ValueId {
     b.load(count, counted, None, restart);
 
     let before = b.hold(width, 0);
-    b.name_signed("before", before.q);
+    b.name_signed("previous", before.q);
     b.load(before, counted, update, clear);
     let change = b.sub(counted, before.q);
     let (negative, opposite) = (b.sign(change), b.negate(change));
