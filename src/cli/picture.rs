@@ -84,7 +84,7 @@ impl fmt::Display for Picture {
         if scale <= 0.0 || !scale.is_finite() {
             return Ok(());
         }
-        let dots = |(low, high): (f32, f32)| (((high - low) / scale) as u32).max(32);
+        let dots = |(low, high): (f32, f32)| (((high - low) / scale).ceil() as u32).max(32);
         let middle = |(low, high): (f32, f32), dots: u32| {
             let (middle, half) = ((low + high) / 2.0, scale * dots as f32 / 2.0);
             (middle - half, middle + half)
@@ -92,6 +92,9 @@ impl fmt::Display for Picture {
         let (width, height) = (dots(x), dots(y));
         let (x, y) = (middle(x, width), middle(y, height));
         let mut chart = Chart::new_with_y_range(width, height, x.0, x.1, y.0, y.1);
-        writeln!(f, "{}", chart.lineplot(&Shape::Lines(&self.points)))
+        let path = Shape::Lines(&self.points);
+        let chart = chart.lineplot(&path);
+        chart.figures();
+        writeln!(f, "{chart}")
     }
 }

@@ -88,10 +88,11 @@ fn unknown(name: &str, mut report: Report) -> Report {
     report
 }
 
-/// The comment that a circuit file opens with.
+/// The comment that a circuit file opens with, after its compiler directives.
 fn header_comment(text: &str) -> String {
-    let lines = text.lines().take_while(|line| line.starts_with("//") || line.trim().is_empty());
-    lines.map(|line| line.trim_start_matches('/').strip_prefix(' ').unwrap_or("").to_owned() + "\n").collect()
+    let lines = text.lines().skip_while(|line| line.starts_with('`') || line.trim().is_empty());
+    let comment = lines.map_while(|line| line.strip_prefix("//"));
+    comment.map(|line| line.strip_prefix(' ').unwrap_or(line).to_owned() + "\n").collect()
 }
 
 fn ports(netlist: &Netlist, nets: &[NetId], direction: &str, text: &mut String) {
