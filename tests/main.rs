@@ -5,4 +5,5 @@ mod engines;
 /// Random circuits and stimuli.
 mod generate;
 mod outside;
+mod simulation;
 mod tidy;
