@@ -79,7 +79,8 @@ fn a_net_that_never_comes_ends_at_the_limit() {
 
 #[test]
 fn a_limit_before_the_last_change_ends_the_run_there() {
-    let (outcome, ticks) = run(&format!("{PULSE}[[at]]\ntick = 30\nset = {{ start = 1 }}\n[stop]\nuntil = \"!busy\"\nlimit = 15\n"));
+    let (outcome, ticks) =
+        run(&format!("{PULSE}[[at]]\ntick = 30\nset = {{ start = 1 }}\n[stop]\nuntil = \"!busy\"\nlimit = 15\n"));
     assert_eq!((outcome.ticks, outcome.stopped_by, ticks.len()), (15, StoppedBy::Limit, 15));
 }
 

@@ -1,45 +1,40 @@
 //! A simulation to be stepped by hand, for programs, tests and lessons.
 
+use std::io::{self, Write};
 use std::sync::Arc;
 
 use bitvec::{order::Lsb0, vec::BitVec, view::BitView};
 
 use super::shipped::{self, Shelf};
-use crate::base::{Diagnostic, Report, ValueId, word};
+use crate::base::{Diagnostic, Report, Signal, ValueId, word};
 use crate::compile::{Observe, Program, compile};
 use crate::engine::{Engine, Interpreter};
 use crate::netlist::{self, Netlist};
 use crate::scenario::Number;
+use crate::trace::{Plan, Sampler, Select, VcdWriter, Window};
 
-/// A circuit that stands at a tick, with every net settled and readable.
-///
-/// ```
-/// use stepwright::simulation::Simulation;
-///
-/// # fn main() -> Result<(), stepwright::base::Report> {
-/// // The linear interpolator draws the segment to (8, 3).
-/// let mut frame = Simulation::load("su1522157/interpolator", &[])?;
-/// frame.set("major_32", 8)?;
-/// frame.set("minor_34", 3)?;
-/// frame.set("x_is_major_35", 1)?;
-/// frame.set("start_33", 1)?;
-/// frame.step();
-/// frame.set("start_33", 0)?;
-///
-/// let (mut x, mut y) = (0, 0); // in quarter steps
-/// while frame.read("busy")? == 1 {
-///     x += 4 * frame.read("step_x_36")? + 3 * frame.read("step_xy_38")?;
-///     y += 3 * frame.read("step_xy_38")?;
-///     frame.step();
-/// }
-/// assert_eq!((x, y), (4 * 8, 4 * 3));
-/// # Ok(())
-/// # }
-/// ```
+/// A circuit that stands at a tick, with every net settled and readable. The [crate's page](crate) has an example.
 pub struct Simulation {
     program: Arc<Program>,
     engine: Box<dyn Engine>,
     tick: u64,
+    trace: Option<Trace>,
+}
+
+/// A waveform being written.
+struct Trace {
+    sampler: Sampler,
+    vcd: VcdWriter<Box<dyn Write>>,
+    /// The first error of writing, kept until the trace ends.
+    written: io::Result<()>,
+}
+
+impl Trace {
+    fn sample(&mut self, tick: u64, engine: &dyn Engine) {
+        if let (Ok(()), Some(changes)) = (&self.written, self.sampler.sample(tick, |id| engine.value(id))) {
+            self.written = self.vcd.tick(tick, changes);
+        }
+    }
 }
 
 impl Simulation {
@@ -62,7 +57,7 @@ impl Simulation {
     #[must_use]
     pub fn new(netlist: &Netlist) -> Self {
         let program = Arc::new(compile(netlist, &Observe::EVERYTHING));
-        Self { engine: Box::new(Interpreter::new(Arc::clone(&program))), program, tick: 0 }
+        Self { engine: Box::new(Interpreter::new(Arc::clone(&program))), program, tick: 0, trace: None }
     }
 
     /// The present tick.
@@ -89,8 +84,40 @@ impl Simulation {
         Ok(())
     }
 
+    /// Writes the signals that match one of `globs` as VCD into `out`, from this tick on.
+    ///
+    /// # Errors
+    /// `W001` not a glob, `W002` a glob that matches nothing, `C003` `out` refuses.
+    pub fn trace(&mut self, globs: &[&str], out: impl Write + 'static) -> Result<(), Report> {
+        let select = Select::new(globs)?;
+        let signals = &self.program.signals;
+        let chosen: Vec<_> = signals.iter().filter(|signal| select.matches(&signal.name())).cloned().collect();
+        select.check(&chosen, || signals.iter().map(Signal::name).collect())?;
+        let plan = Plan::new(&chosen);
+        let vcd = VcdWriter::new(Box::new(out) as Box<dyn Write>, &plan)
+            .map_err(|error| Diagnostic::new("C003", format!("cannot write the trace: {error}")))?;
+        self.trace = Some(Trace { sampler: Sampler::new(&plan, Window::ALL), vcd, written: Ok(()) });
+        Ok(())
+    }
+
+    /// Ends the trace with the present tick. Without a trace nothing happens.
+    ///
+    /// # Errors
+    /// The first error of writing since the trace began.
+    pub fn end_trace(&mut self) -> io::Result<()> {
+        self.sample();
+        self.trace.take().map_or(Ok(()), |trace| trace.written.and_then(|()| trace.vcd.finish().map(drop)))
+    }
+
+    fn sample(&mut self) {
+        if let Some(trace) = &mut self.trace {
+            trace.sample(self.tick, self.engine.as_ref());
+        }
+    }
+
     /// Ends this tick and settles the next one.
     pub fn step(&mut self) {
+        self.sample();
         self.tick += self.engine.advance(1, false);
     }
 
@@ -131,7 +158,7 @@ impl Simulation {
         let signals = &self.program.signals;
         let found = signals.iter().find(|signal| signal.path[1..].iter().map(String::as_str).eq(net.split('.')));
         found.map(|signal| (signal.value, signal.width, signal.signed)).ok_or_else(|| {
-            let names: Vec<_> = signals.iter().map(crate::base::Signal::name).collect();
+            let names: Vec<_> = signals.iter().map(Signal::name).collect();
             let diagnostic = Diagnostic::new("S012", format!("there is no net `{net}`"));
             diagnostic.nearest(net, names.iter().map(String::as_str)).into()
         })
