@@ -28,6 +28,6 @@ mod wave;
 pub use bless::{Changed, Summary};
 pub use cause::{Cause, Driven, Driver, Drivers, causes};
 pub use compare::{Comparison, Differing, Divergence, Signals, compare};
-pub use read::read;
+pub use read::{read, read_golden};
 pub use track::{Track, Value};
 pub use wave::Waveform;

@@ -30,6 +30,19 @@ pub fn read(name: &str, input: impl BufRead) -> Result<Waveform, Report> {
     reader.finish()
 }
 
+/// Reads a golden trace: as [`read`], but the file must be whole.
+///
+/// # Errors
+/// Those of [`read`], and `W018` when it does not end with the time that closes every waveform of ours.
+pub fn read_golden(name: &str, input: impl BufRead) -> Result<Waveform, Report> {
+    let wave = read(name, input)?;
+    if wave.is_closed() {
+        return Ok(wave);
+    }
+    let cut = Diagnostic::new("W018", format!("{name}: the file does not end with a closing time, so it was cut off"));
+    Err(cut.help("take it back from the history, or write it anew with --bless").into())
+}
+
 struct Reader<'a, R> {
     name: &'a str,
     parser: Parser<R>,

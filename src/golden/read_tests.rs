@@ -85,6 +85,9 @@ fn a_file_cut_between_two_lines_is_not_closed() {
     let wave = read("a.vcd", cut.as_bytes()).unwrap();
     assert!(!wave.is_closed());
     assert_eq!(wave.span(), 0..11);
+    let refused = read_golden("a.vcd", cut.as_bytes()).unwrap_err();
+    assert_eq!(refused.diagnostics[0].code, "W018");
+    assert!(read_golden("a.vcd", GOOD.as_bytes()).is_ok());
 }
 
 proptest! {

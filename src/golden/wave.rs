@@ -28,13 +28,12 @@ impl Waveform {
         Self { tracks, span, unit, is_closed, ..Self::default() }
     }
 
-    /// Names a track; `false` when the name is taken.
-    pub(super) fn name(&mut self, name: String, track: TrackId) -> bool {
-        let is_new = self.signals.insert(name.clone(), track).is_none();
-        if is_new {
-            self.names.push(name);
+    /// Names a track, unless the name is taken.
+    pub(super) fn name(&mut self, name: String, track: TrackId) {
+        if !self.signals.contains_key(&name) {
+            self.names.push(name.clone());
+            self.signals.insert(name, track);
         }
-        is_new
     }
 
     /// The signals' names in the order of the file.
@@ -82,11 +81,16 @@ impl Waveform {
     /// The signals below a scope such as `bench.dut`, named from there.
     #[must_use]
     pub fn below(&self, scope: &str) -> Self {
-        let inside = |name: &str| name.strip_prefix(scope)?.strip_prefix('.').map(str::to_owned);
+        self.renamed(|name| name.strip_prefix(scope)?.strip_prefix('.').map(str::to_owned))
+    }
+
+    /// The same signals under other names; without those for which there is no name, or one that is taken.
+    #[must_use]
+    pub fn renamed(&self, rename: impl Fn(&str) -> Option<String>) -> Self {
         let mut wave = Self { names: Vec::new(), signals: HashMap::new(), ..self.clone() };
-        for (name, &id) in self.names.iter().map(|name| (name, &self.signals[name])) {
-            if let Some(name) = inside(name) {
-                wave.name(name, id);
+        for old in &self.names {
+            if let Some(new) = rename(old) {
+                wave.name(new, self.signals[old]);
             }
         }
         wave

@@ -6,4 +6,6 @@ mod linters;
 mod mixture;
 mod random;
 mod tools;
+mod trace;
 mod wave;
+mod waveforms;
