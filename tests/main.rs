@@ -7,3 +7,4 @@ mod generate;
 mod outside;
 mod simulation;
 mod tidy;
+mod us3809868;

@@ -1,0 +1,168 @@
+//! FIG. 10: the path is the same in every mode of control, and pulses keep their distance.
+
+use super::machine::{Machine, Random, SMALL, Stroke, draw};
+
+const CIRCUIT: &str = "us3809868/fig10_tool_control";
+
+/// The trailing edge of a pulse: its tick, counted from the first one after the start, its axis and its way.
+type Edge = (u64, usize, i64);
+
+struct Run {
+    ticks: u64,
+    edges: Vec<Edge>,
+    end: [i64; 2],
+}
+
+fn run(parameters: &[(&str, i64)], stroke: &Stroke, inputs: &[(&str, i64)]) -> Run {
+    let mut machine = Machine::shipped(CIRCUIT, parameters);
+    let counts = ["x", "y"].map(|counter| machine.find(counter));
+    let busy = machine.find("busy");
+    machine.set(inputs);
+    machine.set(&stroke.inputs());
+    machine.tick();
+    machine.set(&[("start", 0)]);
+    let mut run = Run { ticks: 0, edges: Vec::new(), end: stroke.from };
+    while machine.word(busy) == 1 {
+        machine.tick();
+        run.ticks += 1;
+        let now = counts.map(|counter| machine.number(counter));
+        for axis in 0..2 {
+            let way = now[axis] - run.end[axis];
+            assert!(way.abs() <= 1);
+            if way != 0 {
+                run.edges.push((run.ticks, axis, way));
+            }
+        }
+        run.end = now;
+    }
+    assert_eq!(machine.get("error"), 0);
+    run
+}
+
+/// The stroke of the reading's comparison: 10 bits, tables of 32 words of 6 bits, halves of 2 ticks, 1300 pulses.
+const COMPARED: Stroke = Stroke { jklm: [-900, 0, 0, 400], from: [0, 0], quarters: 1 };
+
+fn compared(mode: i64, more: &[(&str, i64)], inputs: &[(&str, i64)]) -> Run {
+    let model = [("WIDTH", 10), ("ENTRIES", 32), ("ENTRY_WIDTH", 6), ("HALF", 2), ("MODE", mode)];
+    run(&[&model[..], more].concat(), &COMPARED, inputs)
+}
+
+#[test]
+fn constant_delays_take_the_ticks_of_the_reading() {
+    assert_eq!(compared(0, &[], &[]).ticks, 8192);
+    for (delay, ticks) in [(12, 14338), (24, 25754), (40, 41528), (60, 61248)] {
+        assert_eq!(compared(1, &[], &[("delay", delay)]).ticks, ticks, "delay {delay}");
+    }
+    for (half, ticks) in [(6, 24576), (10, 40960)] {
+        assert_eq!(compared(0, &[("HALF", half)], &[]).ticks, ticks, "half {half}");
+    }
+}
+
+#[test]
+fn the_acceleration_loop_takes_the_ticks_of_the_reading() {
+    for (window, ticks) in [(1000, 77498), (2000, 96220)] {
+        assert_eq!(compared(2, &[("WINDOW", window)], &[("reference_340", 5)]).ticks, ticks, "window {window}");
+    }
+}
+
+#[test]
+fn the_path_is_the_same_pulse_for_pulse_in_every_mode() {
+    let mut random = Random(10);
+    for _ in 0..3 {
+        let stroke = random.stroke(511);
+        let plain = draw(&mut Machine::shipped("us3809868/fig09_function_generator", SMALL), &stroke);
+        let pulses: Vec<_> = plain.pulses.iter().map(|pulse| (pulse.axis, pulse.way)).collect();
+        for mode in 0..=4 {
+            let parameters = [SMALL, &[("MODE", mode), ("WINDOW", 300), ("MAX_DELAY", 30)]].concat();
+            let controlled = run(&parameters, &stroke, &[("delay", 9), ("reference_340", 4)]);
+            let edges: Vec<_> = controlled.edges.iter().map(|(_, axis, way)| (*axis, *way)).collect();
+            assert_eq!(edges, pulses, "mode {mode}, {stroke:?}");
+            assert_eq!(controlled.end, stroke.end());
+            // Pulses of one tick of the generator stay together.
+            let together = |ticks: Vec<u64>| ticks.windows(2).map(|pair| pair[0] == pair[1]).collect::<Vec<_>>();
+            let at = together(plain.pulses.iter().map(|pulse| pulse.at).collect());
+            assert_eq!(together(controlled.edges.iter().map(|edge| edge.0).collect()), at);
+        }
+    }
+}
+
+/// The least number of ticks between two trailing edges on one axis.
+fn least_spacing(run: &Run) -> u64 {
+    let spacings = [0, 1].map(|axis| {
+        let ticks: Vec<_> = run.edges.iter().filter(|edge| edge.1 == axis).map(|edge| edge.0).collect();
+        ticks.windows(2).map(|pair| pair[1] - pair[0]).min().expect("two pulses")
+    });
+    spacings[0].min(spacings[1])
+}
+
+#[test]
+fn two_trailing_edges_on_one_axis_are_never_closer_than_delay_and_half_a_clock() {
+    for (delay, half) in [(12, 2), (40, 2), (9, 1), (7, 3), (1, 2)] {
+        let parameters = [SMALL, &[("MODE", 1), ("HALF", half)]].concat();
+        let stroke = Stroke::new([-400, 511, 300, 511], 2);
+        let spacing = least_spacing(&run(&parameters, &stroke, &[("delay", delay)]));
+        assert!(spacing >= (delay + half) as u64, "{spacing} with delay {delay} and half {half}");
+        if delay > 2 * half {
+            assert_eq!(spacing, (delay + half) as u64, "dense strokes reach the limit");
+        }
+    }
+}
+
+#[test]
+fn claim_17_inhibits_the_clock_after_each_pulse() {
+    let run = run(&[SMALL, &[("MODE", 4)]].concat(), &Stroke::new([-400, 511, 300, 511], 1), &[("delay", 9)]);
+    let mut ticks: Vec<_> = run.edges.iter().map(|edge| edge.0).collect();
+    ticks.dedup();
+    let halves_with_pulses = ticks.len() as u64;
+    assert!(ticks.windows(2).all(|pair| pair[1] - pair[0] >= 9 + 2), "any two pulses keep the distance");
+    let last_waits = u64::from(ticks.last().is_some_and(|last| *last == run.ticks));
+    assert_eq!(run.ticks, 2 * 2048 + 9 * (halves_with_pulses - last_waits), "each pulse costs its delay");
+}
+
+/// The reading's sample: delay 9, half 2; tick, half, pulse on Y, hold, ticks of delay left after the tick, Y.
+#[test]
+fn hold_and_delay_work_tick_by_tick_as_in_the_reading() {
+    let parameters = [("WIDTH", 10), ("ENTRIES", 32), ("ENTRY_WIDTH", 6), ("MODE", 1)];
+    let nets = ["y_pulse", "delay_342.remaining", "generator_16.phase_a", "generator_16.phase_b"];
+    let mut machine = Machine::new(&super::machine::shipped_program(CIRCUIT, &parameters, &nets));
+    machine.set(&[("delay", 9)]);
+    machine.set(&COMPARED.inputs());
+    machine.tick();
+    machine.set(&[("start", 0)]);
+    let rows = [
+        (5, 'A', 1, 0, 0, 0),
+        (6, 'A', 1, 0, 0, 0),
+        (7, 'B', 0, 0, 8, 1),
+        (17, 'A', 1, 0, 0, 1),
+        (19, 'B', 0, 0, 8, 2),
+        (25, 'A', 1, 1, 2, 2),
+        (26, 'A', 1, 1, 1, 2),
+        (27, 'A', 1, 1, 0, 2),
+        (28, 'A', 1, 0, 0, 2),
+        (29, 'A', 1, 0, 0, 2),
+        (30, 'B', 0, 0, 8, 3),
+    ];
+    let mut tick = 1;
+    for row in rows {
+        while tick < row.0 {
+            machine.tick();
+            tick += 1;
+        }
+        let half = if machine.get("generator_16.phase_a") == 1 { 'A' } else { 'B' };
+        let left = machine.get("delay_342.remaining").saturating_sub(1);
+        let seen = (tick, half, machine.get("y_pulse"), machine.get("hold_345"), left, machine.get_signed("y"));
+        assert_eq!(seen, row);
+    }
+}
+
+#[test]
+fn the_memory_slows_both_ends_and_what_is_preset_takes_effect() {
+    let trapezoid = compared(3, &[], &[]);
+    assert_eq!(trapezoid.end, COMPARED.end());
+    let constant = |word: i64| compared(3, &[("ENDS", word), ("MIDDLE", word)], &[]).ticks;
+    assert_eq!(constant(24), compared(1, &[], &[("delay", 24)]).ticks, "all words alike are a constant delay");
+    assert!(trapezoid.ticks > constant(20) && trapezoid.ticks < constant(120));
+    // A write during the stroke to a word that comes later stretches it.
+    let preset = [("preset_write", 1), ("preset_address", 40), ("preset_word", 250)];
+    assert!(compared(3, &[], &preset).ticks > trapezoid.ticks);
+}
