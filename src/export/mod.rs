@@ -13,4 +13,4 @@ mod page;
 
 pub use bench::{BenchInputs, bench, bench_name};
 pub use files::{File, files};
-pub use module::{BRANCH, Specialisation, print, specialisations, verilog};
+pub use module::{BRANCH, verilog};

@@ -1,11 +1,10 @@
 //! Modules: each block in use as a Verilog module, with a branch for each set of parameters in use.
 
 use std::collections::HashSet;
-use std::sync::Arc;
 
 use super::body::body;
 use super::page::Page;
-use crate::blocks::{Block, Body, Description, Direction, Parameters, PortDescription, Width};
+use crate::blocks::{Body, Description, Direction, Parameters, PortDescription, Width};
 use crate::netlist::{CellKind, Netlist};
 
 /// The name of the `generate` branch that a block with parameters has its inside in: one more scope in the waveforms
@@ -13,57 +12,67 @@ use crate::netlist::{CellKind, Netlist};
 pub const BRANCH: &str = "specialised";
 
 /// A block for one set of parameters.
-#[derive(Clone, Debug)]
-pub struct Specialisation {
-    /// The block.
-    pub block: &'static dyn Block,
-    /// The parameters.
-    pub parameters: Parameters,
-    /// It, made of ops for them.
-    pub body: Arc<Body>,
+struct Specialisation<'n> {
+    description: &'static Description,
+    parameters: &'n Parameters,
+    body: &'n Body,
 }
 
 /// Every block and set of parameters that the netlists use, each once, in order of first use.
-#[must_use]
-pub fn specialisations<'a>(netlists: impl IntoIterator<Item = &'a Netlist>) -> Vec<Specialisation> {
-    let mut all: Vec<Specialisation> = Vec::new();
+fn specialisations<'n>(netlists: impl IntoIterator<Item = &'n Netlist>) -> Vec<Specialisation<'n>> {
     let mut seen = HashSet::new();
-    for cell in netlists.into_iter().flat_map(|netlist| &netlist.cells) {
-        if let CellKind::Block { block, parameters } = &cell.kind
-            && seen.insert((block.description().name, parameters.clone()))
-        {
-            all.push(Specialisation { block: *block, parameters: parameters.clone(), body: Arc::clone(&cell.body) });
+    let cells = netlists.into_iter().flat_map(|netlist| &netlist.cells);
+    let used = cells.filter_map(|cell| match &cell.kind {
+        CellKind::Block { block, parameters } => {
+            Some(Specialisation { description: block.description(), parameters, body: &cell.body })
         }
-    }
-    all
+        CellKind::Gate(_) => None,
+    });
+    used.filter(|used| seen.insert((used.description.name, used.parameters))).collect()
 }
 
-/// The text of a Verilog-2005 file with a module for every block that the netlists use. Beside it the circuit files
-/// of these netlists, with the parameters they were read with, compile unchanged.
+/// The text of a Verilog-2005 file with a module for every block that the netlists use, in order of first use. Beside
+/// it the circuit files of these netlists, with the parameters they were read with, compile unchanged.
+///
+/// ```
+/// use std::sync::Arc;
+/// use stepwright::{export, netlist};
+///
+/// struct Nowhere;
+/// impl netlist::Library for Nowhere {
+///     fn find(&self, _: &str) -> Option<(String, Arc<str>)> {
+///         None
+///     }
+/// }
+///
+/// let circuit = "module top (input wire [7:0] a, output wire signed [8:0] y);
+///     summer #(.WIDTH(4), .OUT_WIDTH(9)) summer_1 (.terms(a), .sum(y));
+/// endmodule";
+/// let netlist = netlist::load("top.v", circuit, None, &Nowhere, &[])?;
+/// let text = export::verilog([&netlist]);
+/// assert!(text.contains("output wire signed [OUT_WIDTH - 1:0] sum"));
+/// assert!(text.contains("if (WIDTH == 4 && TERMS == 2 && OUT_WIDTH == 9 && NEGATIVE == 0) begin"));
+/// # Ok::<(), stepwright::base::Report>(())
+/// ```
 #[must_use]
-pub fn verilog<'a>(netlists: impl IntoIterator<Item = &'a Netlist>) -> String {
-    print(&specialisations(netlists))
-}
-
-/// The text of a Verilog-2005 file with a module for every block among `specialisations`, in order of first use.
-#[must_use]
-pub fn print(specialisations: &[Specialisation]) -> String {
+pub fn verilog<'n>(netlists: impl IntoIterator<Item = &'n Netlist>) -> String {
     let mut page = Page::default();
     page.line("// The blocks of a Stepwright circuit, printed from their ops.");
     page.line("// A word named _op, _in or _state is an op, an input or a register of its block.");
     page.line("`default_nettype none");
+    let all = specialisations(netlists);
     let mut printed = HashSet::new();
-    for description in specialisations.iter().map(|s| s.block.description()) {
+    for description in all.iter().map(|used| used.description) {
         if printed.insert(description.name) {
-            let of_block = specialisations.iter().filter(|s| s.block.description().name == description.name);
+            let of_block: Vec<_> = all.iter().filter(|used| used.description.name == description.name).collect();
             page.line("");
-            module(&mut page, description, &of_block.collect::<Vec<_>>());
+            module(&mut page, description, &of_block);
         }
     }
     page.finish()
 }
 
-fn module(page: &mut Page, description: &Description, specialisations: &[&Specialisation]) {
+fn module(page: &mut Page, description: &Description, specialisations: &[&Specialisation<'_>]) {
     page.line(format!("// {}", description.summary));
     page.line(format!("// Source: {}", description.source));
     let parameters = description.parameters.iter().map(|p| format!("parameter {} = {}", p.name, number(p.default)));
@@ -77,7 +86,7 @@ fn module(page: &mut Page, description: &Description, specialisations: &[&Specia
     let ports: Vec<_> = clock.into_iter().chain(description.ports.iter().map(port)).collect();
     page.rest(");", |page| list(page, &ports));
     page.rest("endmodule", |page| match specialisations {
-        [only] if parameters.is_empty() => body(page, description, &only.body),
+        [only] if parameters.is_empty() => body(page, description, only.body),
         _ => branches(page, description, specialisations),
     });
 }
@@ -105,14 +114,14 @@ fn port(port: &PortDescription) -> String {
 
 /// One branch for each set of parameters. The last one names a module that does not exist: no simulator elaborates
 /// it in silence, and the message carries its name.
-fn branches(page: &mut Page, description: &Description, specialisations: &[&Specialisation]) {
+fn branches(page: &mut Page, description: &Description, specialisations: &[&Specialisation<'_>]) {
     page.block("generate", "endgenerate", |page| {
         let mut otherwise = "";
         for specialisation in specialisations {
             let equal = specialisation.parameters.iter().map(|(name, value)| format!("{name} == {}", number(value)));
             let condition = equal.collect::<Vec<_>>().join(" && ");
             page.block(format!("{otherwise}if ({condition}) begin : {BRANCH}"), "end", |page| {
-                body(page, description, &specialisation.body);
+                body(page, description, specialisation.body);
             });
             otherwise = "else ";
         }

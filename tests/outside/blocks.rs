@@ -99,3 +99,24 @@ fn icarus_agrees_on_random_ops_of_every_kind() {
     assert_eq!(kinds.len(), 26, "some op is not covered");
     judge(&duts);
 }
+
+#[test]
+fn a_block_with_other_parameters_than_the_exported_ones_does_not_compile() {
+    if !tools::present(&["iverilog"]) {
+        return;
+    }
+    let summer = stepwright::blocks::find("summer").expect("a block");
+    let duts = Duts::new(vec![(summer, Parameters::defaults(summer.description()))]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let compile = |text: &str| {
+        std::fs::write(folder.path().join("duts.v"), text).expect("a file");
+        let mut iverilog = std::process::Command::new("iverilog");
+        iverilog.args(["-g2005", "-s", "duts", "-o", "duts.vvp", "duts.v"]).current_dir(folder.path());
+        iverilog.output().expect("iverilog runs")
+    };
+    let text = export::verilog([&duts.netlist]) + &duts.text;
+    assert!(compile(&text).status.success());
+    let other = compile(&text.replace(".NEGATIVE(0)", ".NEGATIVE(1)"));
+    assert!(!other.status.success());
+    assert!(String::from_utf8_lossy(&other.stderr).contains("summer_was_not_exported_with_these_parameters"));
+}

@@ -1,7 +1,9 @@
 //! Outside judges: other people's tools read what we write and must come to the same values.
 
 mod blocks;
+mod circuits;
 mod duts;
+mod goldens;
 mod linters;
 mod mixture;
 mod random;

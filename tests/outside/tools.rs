@@ -1,6 +1,6 @@
 //! The tools that judge from outside: whether they are here, and how they are run.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// Whether `tools` are installed. When one is missing the check is skipped loudly, or fails if
@@ -55,4 +55,19 @@ pub fn icarus(folder: &Path, bench: &str) {
     let warnings = String::from_utf8_lossy(&compiled.stderr);
     assert!(warnings.is_empty(), "{}: {warnings}", folder.display());
     run(folder, "vvp", &["-n", "bench.vvp"]);
+}
+
+/// All files with an ending below a folder of the repository.
+pub fn files_below(folder: &str, ending: &str) -> Vec<PathBuf> {
+    let (mut found, mut open) = (Vec::new(), vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)]);
+    while let Some(folder) = open.pop() {
+        for path in std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|own| own == ending) {
+                found.push(path);
+            }
+        }
+    }
+    found
 }
