@@ -45,13 +45,13 @@ fn specialisations<'n>(netlists: impl IntoIterator<Item = &'n Netlist>) -> Vec<S
 ///     }
 /// }
 ///
-/// let circuit = "module top (input wire [7:0] a, output wire signed [8:0] y);
-///     summer #(.WIDTH(4), .OUT_WIDTH(9)) summer_1 (.terms(a), .sum(y));
+/// let circuit = "module top (input wire clk, input wire pulse, output wire later);
+///     delay_element #(.DELAY(3)) delay_13 (.clk(clk), .pulse_in(pulse), .pulse_out(later));
 /// endmodule";
 /// let netlist = netlist::load("top.v", circuit, None, &Nowhere, &[])?;
 /// let text = export::verilog([&netlist]);
-/// assert!(text.contains("output wire signed [OUT_WIDTH - 1:0] sum"));
-/// assert!(text.contains("if (WIDTH == 4 && TERMS == 2 && OUT_WIDTH == 9 && NEGATIVE == 0) begin"));
+/// assert!(text.contains("module delay_element #("));
+/// assert!(text.contains("if (DELAY == 3) begin"));
 /// # Ok::<(), stepwright::base::Report>(())
 /// ```
 #[must_use]
