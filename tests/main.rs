@@ -6,5 +6,7 @@ mod engines;
 mod generate;
 mod outside;
 mod simulation;
+/// The linear interpolator of SU 1522157 and its multiplexer.
+mod su1522157;
 mod tidy;
 mod us3809868;
