@@ -1,12 +1,15 @@
 //! Engines: they run a program tick by tick, and know nothing of traces.
 
+pub mod batch;
 mod choose;
 mod interpreter;
+mod lanes;
 mod lockstep;
 mod native;
 
 pub use choose::{EngineKind, all};
 pub use interpreter::Interpreter;
+pub use lanes::{LanesEngine, Path as LanesPath};
 pub use lockstep::{Difference, Lockstep};
 pub use native::Native;
 

@@ -1,0 +1,182 @@
+//! Batches against the plain run of each stimulus on the interpreter.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::base::word::mask;
+use crate::base::{Graph, Register, RegisterId};
+use crate::engine::lanes::tests::{graph, program};
+use crate::engine::{Engine, Interpreter};
+
+/// A row that owns its words.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Kept {
+    inputs: Vec<u64>,
+    ticks: u64,
+    stopped_by: StoppedBy,
+    outputs: Vec<u64>,
+    pulses: Vec<u64>,
+}
+
+fn plain_row(program: &Arc<Program>, plan: &Plan, inputs: &[u64]) -> (Kept, Vec<Vec<u64>>) {
+    let mut engine = Interpreter::new(Arc::clone(program));
+    let mut waveform = Vec::new();
+    let (ticks, stopped_by) = run_one(&mut engine, program, plan, inputs, |_, engine| {
+        waveform.push(program.signals.iter().map(|signal| engine.value(signal.value)).collect());
+    });
+    let outputs = program.outputs.iter().map(|port| engine.value(port.value)).collect();
+    let pulses = program.pulses.iter().map(|(_, id)| engine.value(*id)).collect();
+    (Kept { inputs: inputs.to_vec(), ticks, stopped_by, outputs, pulses }, waveform)
+}
+
+fn batch_rows(program: &Program, plan: &Plan, stimuli: &[Vec<u64>], options: Options<'_>) -> Vec<Kept> {
+    let mut all = stimuli.iter();
+    let feed = |words: &mut [u64]| all.next().map(|stimulus| words.copy_from_slice(stimulus)).is_some();
+    let mut rows = Vec::new();
+    let sink = |row: Row<'_>| {
+        assert_eq!(row.index, rows.len() as u64, "rows come in order");
+        let (outputs, pulses) = (row.outputs.to_vec(), row.pulses.to_vec());
+        rows.push(Kept { inputs: row.inputs.to_vec(), ticks: row.ticks, stopped_by: row.stopped_by, outputs, pulses });
+        ControlFlow::Continue(())
+    };
+    let done = run_batch(program, plan, feed, sink, options).expect("threads start");
+    assert_eq!((done.rows, done.complete), (stimuli.len() as u64, true));
+    rows
+}
+
+/// Adds a counter of the ticks at which the one-bit `value` is 1, as the compile pipeline does.
+fn count_pulses(graph: &mut Graph, value: ValueId) -> ValueId {
+    let count = graph.push(Op::Register(RegisterId::new(graph.registers.len())), 64);
+    let step = graph.push(Op::ZeroExtend(value), 64);
+    let next = graph.push(Op::Add(count, step), 64);
+    graph.registers.push(Register { width: 64, init: 0, next, enable: None, clear: None });
+    next
+}
+
+/// Counts down from its input and stops at 0: runs of every length. Its pulse output is high at every odd count.
+fn countdown() -> Arc<Program> {
+    let mut graph = Graph::default();
+    let from = graph.push(Op::Input(0), 12);
+    let load = graph.push(Op::Input(1), 1);
+    let count = graph.push(Op::Register(RegisterId::new(0)), 12);
+    let one = graph.push(Op::Const(1), 12);
+    let less = graph.push(Op::Sub(count, one), 12);
+    let next = graph.push(Op::Mux(load, from, less), 12);
+    graph.registers.push(Register { width: 12, init: 0, next, enable: None, clear: None });
+    let busy = graph.push(Op::ReduceOr(count), 1);
+    let stop = graph.push(Op::Not(busy), 1);
+    let odd = graph.push(Op::Slice(count, 0), 1);
+    let pulses = count_pulses(&mut graph, odd);
+    let mut program = program(graph, Some(stop));
+    let place = |name: &str| program.signals.iter().find(|signal| signal.path[1] == name).map(|signal| signal.value);
+    let counted = place(&format!("n{}", pulses.index())).expect("every node is a signal");
+    program.pulses = vec![(0, counted)];
+    Arc::new(program)
+}
+
+fn start_pulse(limit: u64) -> Plan {
+    let change = |tick, word| InputChange { tick, input: 1, word };
+    Plan { changes: vec![change(0, 1), change(1, 0)], end: End::Until { limit } }
+}
+
+fn uneven(count: u64) -> Vec<Vec<u64>> {
+    (0..count)
+        .map(|i| vec![i.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 33 & if i % 7 == 0 { 4095 } else { 63 }, 0])
+        .collect()
+}
+
+#[test]
+fn runs_of_uneven_length_come_back_in_order_whatever_the_threads_and_the_path() {
+    let (program, plan, stimuli) = (countdown(), start_pulse(3000), uneven(5000));
+    // A count of n is loaded at the end of tick 0 and is 0 at tick n + 1.
+    let expected = |stimulus: &Vec<u64>| (stimulus[0] + 1).min(3000);
+    for path in Path::all() {
+        for threads in [1, 2, 3] {
+            let rows = batch_rows(&program, &plan, &stimuli, Options { threads, path, ..Options::default() });
+            for (row, stimulus) in rows.iter().zip(&stimuli) {
+                let by = if stimulus[0] < 3000 { StoppedBy::Until } else { StoppedBy::Limit };
+                assert_eq!((&row.inputs, row.ticks, row.stopped_by), (stimulus, expected(stimulus), by));
+            }
+        }
+    }
+}
+
+#[test]
+fn every_row_equals_the_plain_run_of_its_stimulus() {
+    let (program, stimuli) = (countdown(), uneven(600));
+    for plan in [start_pulse(100), start_pulse(0), start_pulse(1), Plan { end: End::Ticks(37), ..start_pulse(0) }] {
+        let plain: Vec<_> = stimuli.iter().map(|words| plain_row(&program, &plan, words).0).collect();
+        for path in Path::all() {
+            let rows = batch_rows(&program, &plan, &stimuli, Options { threads: 1, path, ..Options::default() });
+            assert_eq!(rows, plain, "{path:?}");
+        }
+    }
+}
+
+#[test]
+fn the_waveform_of_a_watched_stimulus_is_that_of_a_single_run() {
+    let (program, plan, stimuli) = (countdown(), start_pulse(3000), uneven(2000));
+    for index in [0, 7, 1999] {
+        let mut waveform = Vec::new();
+        let mut sample = |tick: u64, words: &[u64]| {
+            assert_eq!(tick, waveform.len() as u64);
+            waveform.push(words.to_vec());
+        };
+        let watch = Some(Watch { index, sample: &mut sample });
+        batch_rows(&program, &plan, &stimuli, Options { watch, ..Options::default() });
+        assert_eq!(waveform, plain_row(&program, &plan, &stimuli[index as usize]).1);
+    }
+}
+
+#[test]
+fn a_sink_that_breaks_off_gets_no_further_row() {
+    let (program, plan, stimuli) = (countdown(), start_pulse(3000), uneven(5000));
+    let mut all = stimuli.iter();
+    let feed = |words: &mut [u64]| all.next().map(|stimulus| words.copy_from_slice(stimulus)).is_some();
+    let mut rows = 0;
+    let sink = |_: Row<'_>| {
+        rows += 1;
+        if rows == 1000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let done = run_batch(&program, &plan, feed, sink, Options { threads: 2, ..Options::default() }).expect("runs");
+    assert_eq!((done.rows, done.complete, rows), (1000, false, 1000));
+}
+
+#[test]
+fn a_batch_without_stimuli_is_complete_at_once() {
+    assert_eq!(batch_rows(&countdown(), &start_pulse(10), &[], Options::default()), []);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn batches_of_random_programs_equal_plain_runs(
+        choices in proptest::collection::vec(any::<u64>(), 300),
+        stimuli in proptest::collection::vec(any::<[u64; 3]>(), 1..700),
+        mut changes in proptest::collection::vec((0u64..40, 0usize..3, any::<u64>()), 0..5),
+        limit in 0u64..60,
+        is_until in any::<bool>(),
+    ) {
+        let mut made = graph(&choices, 20);
+        let last = ValueId::new(made.nodes.len() - 1);
+        let stop = made.push(Op::ReduceXor(last), 1);
+        let program = Arc::new(program(made, Some(stop)));
+        let fitted = |input: usize, word: u64| word & mask(program.inputs[input].width);
+        changes.sort_by_key(|change| change.0);
+        let plan = Plan {
+            changes: changes.iter().map(|&(tick, input, word)| InputChange { tick, input, word: fitted(input, word) }).collect(),
+            end: if is_until { End::Until { limit } } else { End::Ticks(limit) },
+        };
+        let stimuli: Vec<Vec<u64>> =
+            stimuli.iter().map(|words| (0..3).map(|input| fitted(input, words[input])).collect()).collect();
+        let plain: Vec<_> = stimuli.iter().map(|words| plain_row(&program, &plan, words).0).collect();
+        for path in Path::all() {
+            let rows = batch_rows(&program, &plan, &stimuli, Options { threads: 2, path, ..Options::default() });
+            prop_assert_eq!(&rows, &plain, "{:?}", path);
+        }
+    }
+}

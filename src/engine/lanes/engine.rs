@@ -1,0 +1,97 @@
+//! The lanes engine for a single run: one lane of a machine, behind the same face as every engine.
+
+use std::sync::Arc;
+
+use super::{Compiled, Machine, Path};
+use crate::base::ValueId;
+use crate::compile::Program;
+use crate::engine::Engine;
+
+/// Runs one stimulus in one lane. It gains nothing by that; it is there to be compared with the other engines.
+#[derive(Debug)]
+pub struct LanesEngine {
+    machine: Machine,
+    stop: Option<ValueId>,
+    /// The tick of the last pass at which it stands.
+    at: usize,
+    inputs_changed: bool,
+}
+
+impl LanesEngine {
+    /// Puts `program` at tick 0 with all inputs 0, on the best path this machine has.
+    #[must_use]
+    pub fn new(program: &Program) -> Self {
+        Self::on(program, Path::best())
+    }
+
+    /// The same on a path of choice.
+    #[must_use]
+    pub fn on(program: &Program, path: Path) -> Self {
+        let compiled = Arc::new(Compiled::new(program, &program.observed(), path));
+        let mut machine = Machine::new(compiled);
+        machine.pass(1);
+        Self { machine, stop: program.stop, at: 0, inputs_changed: false }
+    }
+
+    fn has_stopped(&self, tick: usize) -> bool {
+        self.stop.is_some_and(|stop| self.machine.word(tick, self.machine.compiled().planes(stop), 0) != 0)
+    }
+
+    /// Advances by one block of ticks; tells how many and whether the program stopped.
+    fn block(&mut self, ticks: usize, until_stop: bool) -> (usize, bool) {
+        self.machine.commit();
+        let before = if until_stop && ticks > 1 { self.machine.present_state() } else { Vec::new() };
+        self.machine.pass(ticks);
+        self.at = ticks - 1;
+        let stopped = if until_stop { (0..ticks).find(|&tick| self.has_stopped(tick)) } else { None };
+        match stopped {
+            Some(tick) if tick + 1 < ticks => {
+                self.machine.rewind(&before);
+                self.machine.pass(tick + 1);
+                self.at = tick;
+                (tick + 1, true)
+            }
+            Some(_) => (ticks, true),
+            None => (ticks, false),
+        }
+    }
+}
+
+impl Engine for LanesEngine {
+    fn name(&self) -> &'static str {
+        "lanes"
+    }
+
+    fn set_input(&mut self, input: usize, word: u64) {
+        self.machine.set(0, input, word);
+        self.inputs_changed = true;
+    }
+
+    fn settle(&mut self) {
+        self.machine.pass(1);
+        self.at = 0;
+        self.inputs_changed = false;
+    }
+
+    fn advance(&mut self, ticks: u64, until_stop: bool) -> u64 {
+        if std::mem::take(&mut self.inputs_changed) {
+            self.settle();
+        }
+        // Large RAMs cannot be taken back, so that a block with a stop in its middle must not be run.
+        let can_rewind = self.machine.compiled().can_rewind();
+        let most = if until_stop && !can_rewind { 1 } else { self.machine.compiled().most_ticks as u64 };
+        let mut done = 0;
+        while done < ticks {
+            let (advanced, stopped) = self.block(most.min(ticks - done) as usize, until_stop);
+            done += advanced as u64;
+            if stopped {
+                break;
+            }
+        }
+        done
+    }
+
+    fn value(&self, id: ValueId) -> u64 {
+        self.machine.word(self.at, self.machine.compiled().planes(id), 0)
+    }
+}
