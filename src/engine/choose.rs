@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use super::{Engine, Interpreter, Native};
+use super::{Engine, Interpreter, LanesEngine, Native};
 use crate::base::Diagnostic;
 use crate::compile::Program;
 
@@ -15,6 +15,8 @@ pub enum EngineKind {
     Interpreter,
     /// Machine code for one long run.
     Native,
+    /// Bit planes for many stimuli at once ([`super::batch`]); for one run only to be compared with the others.
+    Lanes,
     /// Whatever suits the work: see [`EngineKind::resolve`].
     Auto,
 }
@@ -26,7 +28,7 @@ const COMPILE_PAYS: u64 = 3_000;
 
 impl EngineKind {
     /// Every kind, in the order of the command line's help.
-    pub const ALL: [EngineKind; 3] = [EngineKind::Interpreter, EngineKind::Native, EngineKind::Auto];
+    pub const ALL: [EngineKind; 4] = [EngineKind::Interpreter, EngineKind::Native, EngineKind::Lanes, EngineKind::Auto];
 
     /// Its name on the command line.
     #[must_use]
@@ -34,6 +36,7 @@ impl EngineKind {
         match self {
             EngineKind::Interpreter => "interpreter",
             EngineKind::Native => "native",
+            EngineKind::Lanes => "lanes",
             EngineKind::Auto => "auto",
         }
     }
@@ -55,8 +58,10 @@ impl EngineKind {
     /// # Errors
     /// `E001` when native code was asked for by name and cannot be made.
     pub fn build(self, program: Arc<Program>, ticks: u64) -> Result<Box<dyn Engine>, Diagnostic> {
-        if self.resolve(ticks) == EngineKind::Interpreter {
-            return Ok(Box::new(Interpreter::new(program)));
+        match self.resolve(ticks) {
+            EngineKind::Interpreter => return Ok(Box::new(Interpreter::new(program))),
+            EngineKind::Lanes => return Ok(Box::new(LanesEngine::new(&program))),
+            EngineKind::Native | EngineKind::Auto => {}
         }
         match Native::new(Arc::clone(&program)) {
             Ok(engine) => Ok(Box::new(engine)),

@@ -7,6 +7,7 @@ mod lanes;
 mod lockstep;
 mod native;
 
+pub use batch::StoppedBy;
 pub use choose::{EngineKind, all};
 pub use interpreter::Interpreter;
 pub use lanes::{LanesEngine, Path as LanesPath};

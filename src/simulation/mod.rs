@@ -6,6 +6,7 @@ mod run;
 pub mod shipped;
 mod stimulus;
 
+pub use crate::engine::StoppedBy;
 pub use interactive::Simulation;
-pub use run::{Outcome, Sample, StoppedBy, run};
+pub use run::{Outcome, Sample, run};
 pub use stimulus::{DEFAULT_LIMIT, Stimulus, StopRule, resolve};

@@ -2,28 +2,7 @@
 
 use super::stimulus::Stimulus;
 use crate::compile::Program;
-use crate::engine::Engine;
-
-/// Why a run ended.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum StoppedBy {
-    /// The net it waited for.
-    Until,
-    /// The number of ticks asked for.
-    Ticks,
-    /// The limit: the net it waited for never came.
-    Limit,
-}
-
-impl std::fmt::Display for StoppedBy {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            StoppedBy::Until => "until",
-            StoppedBy::Ticks => "ticks",
-            StoppedBy::Limit => "limit",
-        })
-    }
-}
+use crate::engine::{Engine, StoppedBy};
 
 /// What a run came to.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -5,11 +5,9 @@
 
 mod counters;
 mod queue;
-mod single;
 mod worker;
 
-pub use single::run_one;
-
+use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -43,35 +41,34 @@ pub struct InputChange {
 /// When a run is over.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum End {
-    /// At this tick.
+    /// After so many ticks, at least 1.
     Ticks(u64),
-    /// When the program's `stop` is 1, judged from [`Plan::first_judged_tick`] on, or at the tick `limit`.
+    /// In the tick in which the program's `stop` is 1, judged from [`Plan::first_judged_tick`] on, or else after `limit`
+    /// ticks.
     Until {
-        /// The last tick there may be.
+        /// Most ticks, at least 1.
         limit: u64,
     },
 }
 
-/// What ended a run.
+/// Why a run ended.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum StoppedBy {
-    /// The program's `stop`.
+    /// The net it waited for.
     Until,
-    /// The wanted number of ticks.
+    /// The number of ticks asked for.
     Ticks,
-    /// The limit.
+    /// The limit: the net it waited for never came.
     Limit,
 }
 
-impl StoppedBy {
-    /// The word that rows and JSON show.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
+impl fmt::Display for StoppedBy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
             StoppedBy::Until => "until",
             StoppedBy::Ticks => "ticks",
             StoppedBy::Limit => "limit",
-        }
+        })
     }
 }
 
@@ -85,8 +82,8 @@ impl Plan {
     /// The last tick there may be, and what stops a run there.
     fn last_tick(&self) -> (u64, StoppedBy) {
         match self.end {
-            End::Ticks(ticks) => (ticks, StoppedBy::Ticks),
-            End::Until { limit } => (limit, StoppedBy::Limit),
+            End::Ticks(ticks) => (ticks.saturating_sub(1), StoppedBy::Ticks),
+            End::Until { limit } => (limit.saturating_sub(1), StoppedBy::Limit),
         }
     }
 }
@@ -98,11 +95,11 @@ pub struct Row<'a> {
     pub index: u64,
     /// Its input words at the start, in the order of the program's inputs.
     pub inputs: &'a [u64],
-    /// Tick at which it stopped.
+    /// Ticks run, from tick 0 to the one it stopped in.
     pub ticks: u64,
-    /// What stopped it.
+    /// Why it ended.
     pub stopped_by: StoppedBy,
-    /// Output words at that tick, in the order of the program's outputs.
+    /// Output words in the last tick, in the order of the program's outputs.
     pub outputs: &'a [u64],
     /// For each of the program's `pulses`, how many ticks it was high, the last one included.
     pub pulses: &'a [u64],

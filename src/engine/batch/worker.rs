@@ -287,7 +287,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
     /// Reads a lane at the tick of the block where its run is over.
     fn finish(&mut self, lane: usize, tick: usize, stopped_by: StoppedBy) {
         let Lane { index, start } = self.lanes[lane];
-        let ticks = self.now + tick as u64 - start;
+        let ticks = self.now + tick as u64 - start + 1;
         let compiled = &self.job.compiled;
         let words = &mut self.results.words;
         words.extend(self.job.outputs.iter().map(|&id| self.machine.word(tick, compiled.planes(id), lane)));

@@ -173,7 +173,7 @@ fn agree(program: &Program, path: Path, stimulus: &[[u64; 3]]) -> Result<(), Tes
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
     fn every_op_at_every_width_agrees_with_the_interpreter(
