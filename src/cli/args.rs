@@ -149,7 +149,7 @@ pub struct RunArguments {
     /// Trace up to and including this tick
     #[arg(long, value_name = "TICK")]
     pub to: Option<u64>,
-    /// Print a table of signals, tick by tick or as the scenario's [table] says
+    /// Print a table of signals, tick by tick or as the scenario's table says
     #[arg(long, conflicts_with = "json")]
     pub table: bool,
     /// Print the result as one JSON object
