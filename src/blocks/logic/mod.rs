@@ -2,4 +2,5 @@
 
 pub mod decoder;
 pub mod direction_control;
+pub mod phase_detector;
 pub mod polarity_detector;

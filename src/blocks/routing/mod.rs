@@ -1,4 +1,8 @@
 //! Routing: which word goes where.
 
+pub mod bipolar_gate;
+pub mod bound_switch;
 pub mod multiplexer;
+pub mod polarity_gate;
 pub mod quadrant_switch;
+pub mod strobe_switch;
