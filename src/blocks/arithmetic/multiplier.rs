@@ -1,13 +1,13 @@
 //! Multiplier of two fixed-point words, low bits of the product cut, an output held from the strobe on.
 //!
 //! A product of up to 64 bits is formed at once. A wider one is formed as hardware forms it, from two partial
-//! products, of which the low bits are cut before they are added:
+//! products of the narrower word (here a), of which the low bits are cut before they are added:
 //!
 //! ```text
 //!   b = high * 2^n + low      a b / 2^n = a high + floor(a low / 2^n)      n = A_WIDTH + B_WIDTH - 64
 //! ```
 
-use super::words::{clocked, narrow};
+use super::words::{self, clocked};
 use crate::base::ValueId;
 use crate::base::word::MAX_WIDTH;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
@@ -53,27 +53,27 @@ impl Block for Multiplier {
         if drop >= a + b {
             return Err(format!("DROP is {drop}: nothing is left of a product of {} bits", a + b));
         }
-        if excess > 0 && (a + excess > i64::from(MAX_WIDTH) || excess >= b) {
+        if a.min(b) + excess > i64::from(MAX_WIDTH) {
             return Err(format!("a word of {a} bits times one of {b} is too wide for two partial products"));
         }
         Ok(())
     }
 
     fn build(&self, b: &mut Builder) {
-        let (multiplicand, multiplier) = (b.input("a"), b.input("b"));
-        let full = b.width(multiplicand) + b.width(multiplier);
+        let [narrow, wide] = by_width(b, b.input("a"), b.input("b"));
+        let full = b.width(narrow) + b.width(wide);
         let cut = full.saturating_sub(MAX_WIDTH);
-        let product = if cut == 0 {
-            product(b, multiplicand, multiplier, full)
-        } else {
-            partial_products(b, multiplicand, multiplier, cut)
-        };
+        let product = if cut == 0 { product(b, narrow, wide, full) } else { partial_products(b, narrow, wide, cut) };
         let low = b.count("DROP") - cut;
         let kept = b.slice(product, low, b.width(product) - low);
         let width = b.count("WIDTH");
-        let result = narrow(b, kept, width);
+        let result = words::narrow(b, kept, width);
         clocked(b, result, "product");
     }
+}
+
+fn by_width(b: &Builder, x: ValueId, y: ValueId) -> [ValueId; 2] {
+    if b.width(x) > b.width(y) { [y, x] } else { [x, y] }
 }
 
 fn product(b: &mut Builder, x: ValueId, y: ValueId, width: u32) -> ValueId {
@@ -120,11 +120,11 @@ mod tests {
 
     #[test]
     fn a_product_wider_than_a_word_is_formed_from_partial_products() {
-        let widths = [("A_WIDTH", 41), ("B_WIDTH", 37), ("DROP", 28), ("WIDTH", 50)];
+        let widths = [("A_WIDTH", 37), ("B_WIDTH", 41), ("DROP", 28), ("WIDTH", 50)];
         let mut bench = Bench::new("multiplier", &widths);
-        let (a_end, b_end) = (1 << 40, 1 << 36);
-        for a in [-a_end, -a_end + 1, -98_765_432_101, -1, 0, 1, 123_456_789_012, a_end - 1] {
-            for b in [-b_end, -34_567_890_123, -1, 0, 1, 45_678_901_234, b_end - 1] {
+        let (b_end, a_end) = (1 << 40, 1 << 36);
+        for a in [-a_end, -34_567_890_123, -1, 0, 1, 45_678_901_234, a_end - 1] {
+            for b in [-b_end, -b_end + 1, -98_765_432_101, -1, 0, 1, 123_456_789_012, b_end - 1] {
                 let expected = (i128::from(a) * i128::from(b)) >> 28;
                 assert_eq!(multiply(&mut bench, a, b), (expected as i64, 0), "{a} * {b}");
             }

@@ -1,0 +1,125 @@
+// FIG. 3 of US 3,809,868 wired as its text is printed, to show that the erratum is one: 64 forms X1 - X0, 62 forms
+// Y1 - Y0, and 66, 74 and 78 take what the text says. It computes J = (S0 B - A) / (S1 - S0), K = J + A, L = S1 J and
+// M = L + A, which is no curve through (X1, Y1). All else is as in circuits/us3809868/fig03_case1.v.
+`default_nettype none
+
+module fig03_as_printed (
+    input  wire clk,
+    input  wire start,
+    input  wire signed [15:0] x0,
+    input  wire signed [15:0] y0,
+    input  wire signed [15:0] x1,
+    input  wire signed [15:0] y1,
+    (* fraction = 18 *) input wire signed [31:0] s0,
+    (* fraction = 18 *) input wire signed [31:0] s1,
+    output wire signed [15:0] x0_out,
+    output wire signed [15:0] y0_out,
+    output wire signed [15:0] j,
+    output wire signed [15:0] k,
+    output wire signed [15:0] l,
+    output wire signed [15:0] m,
+    output wire done,
+    output wire error
+);
+    wire load;
+    wire [7:0] rank;
+
+    // Sources.
+    wire signed [15:0] held_x0;
+    register #(.WIDTH(16)) source_50 (.clk(clk), .word(x0), .enable(load), .clear(1'b0), .q(held_x0));
+    wire signed [15:0] held_y0;
+    register #(.WIDTH(16)) source_52 (.clk(clk), .word(y0), .enable(load), .clear(1'b0), .q(held_y0));
+    wire signed [15:0] held_y1;
+    register #(.WIDTH(16)) source_54 (.clk(clk), .word(y1), .enable(load), .clear(1'b0), .q(held_y1));
+    wire signed [15:0] held_x1;
+    register #(.WIDTH(16)) source_56 (.clk(clk), .word(x1), .enable(load), .clear(1'b0), .q(held_x1));
+    (* fraction = 18 *) wire signed [31:0] held_s0;
+    register #(.WIDTH(32)) source_58 (.clk(clk), .word(s0), .enable(load), .clear(1'b0), .q(held_s0));
+    (* fraction = 18 *) wire signed [31:0] held_s1;
+    register #(.WIDTH(32)) source_60 (.clk(clk), .word(s1), .enable(load), .clear(1'b0), .q(held_s1));
+    assign x0_out = held_x0;
+    assign y0_out = held_y0;
+
+    // Rank 0
+    wire signed [16:0] sum_62;
+    summer #(.A_WIDTH(16), .B_WIDTH(16), .WIDTH(17), .NEGATIVE(2'b10)) summer_62 (
+        .clk(clk), .strobe(rank[0]), .a(held_y1), .b(held_y0), .sum(sum_62)
+    );
+    wire signed [16:0] sum_64;
+    summer #(.A_WIDTH(16), .B_WIDTH(16), .WIDTH(17), .NEGATIVE(2'b10)) summer_64 (
+        .clk(clk), .strobe(rank[0]), .a(held_x1), .b(held_x0), .sum(sum_64)
+    );
+    (* fraction = 18 *) wire signed [32:0] difference_70;
+    summer #(.A_WIDTH(32), .B_WIDTH(32), .WIDTH(33), .NEGATIVE(2'b10)) summer_70 (
+        .clk(clk), .strobe(rank[0]), .a(held_s1), .b(held_s0), .sum(difference_70)
+    );
+
+    // Ranks 1 and 2
+    (* fraction = 18 *) wire signed [48:0] product_66;
+    multiplier #(.A_WIDTH(17), .B_WIDTH(32), .WIDTH(49)) multiplier_66 (
+        .clk(clk), .strobe(rank[1]), .a(sum_62), .b(held_s0), .product(product_66)
+    );
+    (* fraction = 18 *) wire signed [49:0] numerator_68;
+    summer #(.A_WIDTH(49), .B_WIDTH(35), .WIDTH(50), .NEGATIVE(2'b10)) summer_68 (
+        .clk(clk), .strobe(rank[2]), .a(product_66), .b({sum_64, 18'd0}), .sum(numerator_68)
+    );
+
+    // Rank 3: J. A zero denominator (S0 = S1) is an overflow, too.
+    (* fraction = 24 *) wire signed [39:0] j_72;
+    wire ready_72;
+    wire parallel_72;
+    wire overflow_72;
+    divider #(.NUMERATOR_WIDTH(50), .DENOMINATOR_WIDTH(33), .FRACTION(24), .WIDTH(40)) divider_72 (
+        .clk(clk), .start(rank[3]), .numerator(numerator_68), .denominator(difference_70), .quotient(j_72),
+        .ready(ready_72), .zero_denominator(parallel_72), .overflow(overflow_72)
+    );
+
+    // Rank 4
+    wire signed [15:0] j_rounded;
+    wire overflow_rounder_72;
+    rounder #(.A_WIDTH(40), .FRACTION(24), .WIDTH(16)) rounder_72 (
+        .clk(clk), .strobe(rank[4]), .a(j_72), .rounded(j_rounded), .overflow(overflow_rounder_72)
+    );
+    (* fraction = 24 *) wire signed [39:0] l_76;
+    wire overflow_76;
+    multiplier #(.A_WIDTH(40), .B_WIDTH(32), .DROP(18), .WIDTH(40)) multiplier_76 (
+        .clk(clk), .strobe(rank[4]), .a(j_72), .b(held_s1), .product(l_76), .overflow(overflow_76)
+    );
+
+    // Ranks 5 and 6
+    wire signed [15:0] k_74;
+    wire overflow_74;
+    summer #(.A_WIDTH(16), .B_WIDTH(17), .WIDTH(16)) summer_74 (
+        .clk(clk), .strobe(rank[5]), .a(j_rounded), .b(sum_64), .sum(k_74), .overflow(overflow_74)
+    );
+    wire signed [15:0] l_rounded;
+    wire overflow_rounder_76;
+    rounder #(.A_WIDTH(40), .FRACTION(24), .WIDTH(16)) rounder_76 (
+        .clk(clk), .strobe(rank[5]), .a(l_76), .rounded(l_rounded), .overflow(overflow_rounder_76)
+    );
+    wire signed [15:0] m_78;
+    wire overflow_78;
+    summer #(.A_WIDTH(16), .B_WIDTH(17), .WIDTH(16)) summer_78 (
+        .clk(clk), .strobe(rank[6]), .a(l_rounded), .b(sum_64), .sum(m_78), .overflow(overflow_78)
+    );
+
+    // What can go wrong: each flag is held by its module until the next conversion.
+    wire wrong;
+    or or_wrong (wrong, overflow_72, overflow_rounder_72, overflow_76, overflow_74, overflow_rounder_76, overflow_78);
+
+    // Output registers: cleared instead of loaded when anything is wrong.
+    wire finish;
+    wire refuse;
+    assign finish = rank[7];
+    and and_refuse (refuse, finish, wrong);
+    register #(.WIDTH(16)) register_j (.clk(clk), .word(j_rounded), .enable(finish), .clear(refuse), .q(j));
+    register #(.WIDTH(16)) register_k (.clk(clk), .word(k_74), .enable(finish), .clear(refuse), .q(k));
+    register #(.WIDTH(16)) register_l (.clk(clk), .word(l_rounded), .enable(finish), .clear(refuse), .q(l));
+    register #(.WIDTH(16)) register_m (.clk(clk), .word(m_78), .enable(finish), .clear(refuse), .q(m));
+    register #(.WIDTH(1)) register_error (.clk(clk), .word(wrong), .enable(finish), .clear(load), .q(error));
+
+    // The rank sequencer: a rank is clocked when no digit-by-digit unit is at work.
+    rank_sequencer #(.RANKS(8)) rank_sequencer (
+        .clk(clk), .start(start), .ready(ready_72), .load(load), .rank(rank), .done(done)
+    );
+endmodule

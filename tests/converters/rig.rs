@@ -1,0 +1,95 @@
+//! A converter circuit on an engine: data in, a pulse on `start`, coefficients out.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use stepwright::base::word::{decode, encode};
+use stepwright::compile::{Observe, Program, Until, compile};
+use stepwright::engine::{Engine, EngineKind};
+use stepwright::netlist::load;
+use stepwright::simulation::shipped::Shelf;
+
+use super::Data;
+
+/// The longest conversion takes about 250 ticks.
+const LIMIT: u64 = 1000;
+
+/// A converter that is ready for the next data.
+pub struct Converter {
+    program: Arc<Program>,
+    engine: Box<dyn Engine>,
+}
+
+impl Converter {
+    /// A shipped circuit of US 3,809,868.
+    pub fn shipped(name: &str) -> Self {
+        Self::from_file(&format!("circuits/us3809868/{name}.v"))
+    }
+
+    /// The circuit in a file of this repository.
+    pub fn from_file(path: &str) -> Self {
+        let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a circuit file");
+        let netlist =
+            load(path, &text, None, &Shelf { near: path }, &[]).unwrap_or_else(|report| panic!("{report}"));
+        let until = netlist.top_net("done").map(|net| Until { net, high: true });
+        let program = Arc::new(compile(&netlist, &Observe { until, ..Observe::OUTPUTS }));
+        let engine = EngineKind::Auto.build(Arc::clone(&program), u64::MAX).expect("an engine");
+        Self { program, engine }
+    }
+
+    /// The word at an output.
+    pub fn output(&self, name: &str) -> i64 {
+        let port = self.program.outputs.iter().find(|port| port.name == name).expect("an output");
+        decode(self.engine.value(port.value), port.width, port.signed) as i64
+    }
+
+    fn set(&mut self, name: &str, value: i64) {
+        let input = self.program.inputs.iter().position(|port| port.name == name).expect("an input");
+        let port = &self.program.inputs[input];
+        let word = encode(value.into(), port.width, port.signed).unwrap_or_else(|| panic!("{value} in {name}"));
+        self.engine.set_input(input, word);
+    }
+
+    /// Converts; returns J, K, L, M, or `None` when `error` is raised, and how many ticks it took. What must hold
+    /// in every conversion is asserted.
+    pub fn convert(&mut self, data: &Data) -> (Option<[i64; 4]>, u64) {
+        let ticks = self.run(data);
+        for (name, word) in data.words.iter().filter(|(name, _)| ["x0", "y0"].contains(&name.as_str())) {
+            assert_eq!(self.output(&format!("{name}_out")), *word);
+        }
+        let result = self.result();
+        if let Some([j, k, l, m]) = result {
+            assert_eq!((k - j, m - l), data.chord(), "the drawn end is (X1, Y1): {data:?}");
+        }
+        (result, ticks)
+    }
+
+    /// Converts, whatever comes of it.
+    pub fn convert_unchecked(&mut self, data: &Data) -> Option<[i64; 4]> {
+        self.run(data);
+        self.result()
+    }
+
+    fn run(&mut self, data: &Data) -> u64 {
+        data.words.iter().for_each(|(name, word)| self.set(name, *word));
+        self.set("start", 1);
+        let first = self.engine.advance(1, false);
+        assert_eq!(self.output("done"), 0, "done falls with the start");
+        self.set("start", 0);
+        let ticks = first + self.engine.advance(LIMIT, true);
+        assert_eq!(self.output("done"), 1, "done always comes: {data:?}");
+        ticks
+    }
+
+    fn result(&self) -> Option<[i64; 4]> {
+        let result = ["j", "k", "l", "m"].map(|name| self.output(name));
+        let error = self.output("error") == 1;
+        assert!(!error || result == [0; 4], "nothing comes out with an error");
+        (!error).then_some(result)
+    }
+}
+
+/// The largest deviation of a coefficient from the formula.
+pub fn deviation(got: [i64; 4], truth: [f64; 4]) -> f64 {
+    got.iter().zip(truth).map(|(&got, truth)| (got as f64 - truth).abs()).fold(0.0, f64::max)
+}
