@@ -29,8 +29,7 @@ impl Converter {
     /// The circuit in a file of this repository.
     pub fn from_file(path: &str) -> Self {
         let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a circuit file");
-        let netlist =
-            load(path, &text, None, &Shelf { near: path }, &[]).unwrap_or_else(|report| panic!("{report}"));
+        let netlist = load(path, &text, None, &Shelf { near: path }, &[]).unwrap_or_else(|report| panic!("{report}"));
         let until = netlist.top_net("done").map(|net| Until { net, high: true });
         let program = Arc::new(compile(&netlist, &Observe { until, ..Observe::OUTPUTS }));
         let engine = EngineKind::Auto.build(Arc::clone(&program), u64::MAX).expect("an engine");
