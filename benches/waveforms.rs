@@ -28,9 +28,9 @@ impl Write for Nowhere {
 
 /// Widths and how often, one tick in so many, each signal changes.
 fn mixture() -> Vec<(u32, u64)> {
-    let pulses = (0..37).map(|i| (1, 3 + i % 7));
-    let words = [(4, 1), (8, 2), (12, 4), (12, 8), (12, 64), (12, 512), (13, 4), (14, 4)];
-    let wide = [(16, 4), (16, 8), (16, 16), (16, 4), (17, 8), (18, 16), (24, 64), (32, 512)];
+    let pulses = (0..37).map(|i| (1, 2 + i % 7));
+    let words = [(4, 1), (8, 2), (12, 2), (12, 4), (12, 4), (12, 8), (13, 4), (14, 4)];
+    let wide = [(16, 4), (16, 4), (16, 4), (16, 16), (17, 8), (18, 16), (24, 64), (32, 512)];
     pulses.chain(words).chain(wide).collect()
 }
 

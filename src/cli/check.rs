@@ -78,7 +78,7 @@ fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> Result<Verdict, Re
     }
     let mut wrong = ran.failed.clone();
     if golden.is_file() {
-        let expected = read_waveform(&golden)?;
+        let expected = golden::read_golden(&golden.display().to_string(), files::read_bytes(&golden)?.as_slice())?;
         let comparison = golden::compare(&expected, &ran.waveform, Signals::All);
         if !comparison.is_equal() {
             wrong.push(ran.explain(&comparison, &expected, path, &golden));

@@ -49,7 +49,7 @@ pub struct Cause {
 
 /// Walks back from signals that differ at `tick` to those that first went wrong: each differs while none of its
 /// drivers does at the tick that counts. Signals that the waveforms do not hold are walked through. The earliest
-/// cause comes first.
+/// cause comes first, one whose drivers are known before others.
 ///
 /// ```
 /// use stepwright::golden::{Driven, Driver, Drivers, causes, read};
@@ -79,7 +79,7 @@ pub fn causes(expected: &Waveform, got: &Waveform, drivers: &Drivers, nets: &[&s
         steps.extend(unseen.map(|at| Step { at, from: Some(next) }));
         next += 1;
     }
-    causes.sort_by_key(|cause| cause.tick);
+    causes.sort_by_key(|cause| (cause.tick, cause.inputs == 0));
     causes
 }
 

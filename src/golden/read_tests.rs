@@ -43,6 +43,13 @@ fn what_stands_below_a_scope_is_named_from_there() {
 }
 
 #[test]
+fn scopes_that_only_one_tool_makes_are_renamed_away() {
+    let wave = read("a.vcd", GOOD.as_bytes()).unwrap().below("bench");
+    let wave = wave.renamed(|name| (name != "clk").then(|| name.replace("gen[0].", "")));
+    assert_eq!(wave.names().collect::<Vec<_>>(), ["dut.clk", "dut.count", "dut.q+", "dut.bit[2]"]);
+}
+
+#[test]
 fn a_clocked_bench_is_seen_at_its_sample_points() {
     let text = "$timescale 1ps $end $scope module t $end $var wire 4 a n $end $upscope $end $enddefinitions $end\n\
                 #0\nb0 a\n#12\nb1 a\n#15\nb10 a\n#21\nb11 a\n#40\nb100 a\n#45\n";
