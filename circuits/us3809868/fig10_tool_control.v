@@ -13,7 +13,7 @@
 //   2  as drawn: meter 338 measures the acceleration of the pulses, 339 compares it with reference 340, and the
 //      interval grows while it is above and shrinks while it is below. It starts long (MAX_DELAY).
 //   3  the alternative: counter 346 counts the way travelled and addresses memory 347, which gives the interval. The
-//      memory starts as a trapezoid (see block presettable_memory) and is preset through the inputs preset_*.
+//      memory starts as a trapezoid of speed (see block presettable_memory) and is preset through the inputs preset_*.
 //   4  claim 17: input `delay`, but the clock is inhibited for that interval after each pulse, whatever comes next.
 //      The claim contradicts the description, which holds only a pulse that comes too early; both are here.
 //

@@ -1,6 +1,11 @@
 //! FIG. 10: the path is the same in every mode of control, and pulses keep their distance.
 
 use super::machine::{Machine, Random, SMALL, Stroke, draw};
+use velocity_table::peak_acceleration;
+
+#[path = "../../examples/velocity_table.rs"]
+#[expect(dead_code, reason = "only its meter is wanted here")]
+mod velocity_table;
 
 const CIRCUIT: &str = "us3809868/fig10_tool_control";
 
@@ -10,6 +15,8 @@ type Edge = (u64, usize, i64);
 struct Run {
     ticks: u64,
     edges: Vec<Edge>,
+    /// X and Y after each tick.
+    path: Vec<[i64; 2]>,
     end: [i64; 2],
 }
 
@@ -21,7 +28,7 @@ fn run(parameters: &[(&str, i64)], stroke: &Stroke, inputs: &[(&str, i64)]) -> R
     machine.set(&stroke.inputs());
     machine.tick();
     machine.set(&[("start", 0)]);
-    let mut run = Run { ticks: 0, edges: Vec::new(), end: stroke.from };
+    let mut run = Run { ticks: 0, edges: Vec::new(), path: Vec::new(), end: stroke.from };
     while machine.word(busy) == 1 {
         machine.tick();
         run.ticks += 1;
@@ -34,6 +41,7 @@ fn run(parameters: &[(&str, i64)], stroke: &Stroke, inputs: &[(&str, i64)]) -> R
             }
         }
         run.end = now;
+        run.path.push(now);
     }
     assert_eq!(machine.get("error"), 0);
     run
@@ -63,6 +71,31 @@ fn the_acceleration_loop_takes_the_ticks_of_the_reading() {
     for (window, ticks) in [(1000, 77498), (2000, 96220)] {
         assert_eq!(compared(2, &[("WINDOW", window)], &[("reference_340", 5)]).ticks, ticks, "window {window}");
     }
+}
+
+/// The reading has 28835 and 21330: its model counts a pulse in 346 before it looks up the delay after it. Here counter
+/// and delay act at the same trailing edge, so the delay is the word of the way before.
+#[test]
+fn the_memory_takes_the_ticks_of_the_reading_but_for_the_order_of_one_edge() {
+    for (middle, ramp, ticks) in [(20, 16, 28835 - 6), (12, 24, 21330 - 6)] {
+        let trapezoid = [("ENDS", 120), ("MIDDLE", middle), ("RAMP", ramp), ("BLOCKS", 82)];
+        assert_eq!(compared(3, &trapezoid, &[]).ticks, ticks, "ramp {ramp}");
+    }
+}
+
+#[test]
+fn at_about_the_same_peak_acceleration_memory_beats_constant_delay_beats_the_loop() {
+    let memory = compared(3, &[("MIDDLE", 20), ("RAMP", 16)], &[]);
+    let constant = compared(1, &[], &[("delay", 40)]);
+    let regulated = compared(2, &[("WINDOW", 1000)], &[("reference_340", 5)]);
+    // Peaks of the reading's own meter, which looks less often.
+    for (run, peak) in [(&memory, 25.2), (&constant, 27.1), (&regulated, 23.9)] {
+        let measured = peak_acceleration(&run.path);
+        assert!((measured - peak).abs() < 0.2, "{measured} instead of {peak}");
+    }
+    assert!(memory.ticks < constant.ticks && constant.ticks < regulated.ticks);
+    let uncontrolled = peak_acceleration(&compared(0, &[], &[]).path);
+    assert!((uncontrolled - 190.9).abs() < 0.5, "{uncontrolled}");
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! Presettable memory: a writable table of delay words along the path, with a trapezoid at power-on.
 //!
 //! ```text
-//!   word  ENDS |\_                    _/|
-//!              |  \_                _/  |
-//!       MIDDLE |    \______________/    |
-//!              0   RAMP        BLOCKS-RAMP  BLOCKS   -> address (blocks of pulses travelled)
+//!   word  ENDS |.                      .|
+//!              | .                    . |
+//!       MIDDLE |   ..................   |
+//!              0   RAMP     BLOCKS-RAMP   BLOCKS   -> address (blocks of pulses travelled)
 //! ```
 
 use crate::base::{MemoryImage, MemoryWrite};
@@ -18,9 +18,10 @@ static DESCRIPTION: Description = Description {
     kind: Kind::Memory,
     summary: "A writable memory of delay words, set to a trapezoid at power-on.",
     doc: "word = m[address], combinational; while `write` is 1, m[write_address] takes `write_word` at the end of the \
-          tick. At power-on word i is MIDDLE + (ENDS - MIDDLE) * (RAMP - d) / RAMP, rounded down, where d is the distance \
-          of i from the nearer end of the first BLOCKS words, and MIDDLE from d = RAMP on; words from BLOCKS on are ENDS, \
-          so that a longer stroke than expected goes on slowly. With RAMP = 0 all of the first BLOCKS words are MIDDLE.",
+          tick. At power-on the words are the delays of a speed that is a trapezoid over time: along each ramp the square \
+          of the speed 1/word grows evenly with the way, which is constant acceleration. Word i, d words from the nearer \
+          end of the first BLOCKS, is (1/ENDS^2 + (1/MIDDLE^2 - 1/ENDS^2) d / RAMP)^(-1/2), rounded, for d < RAMP and \
+          MIDDLE from there on. Words from BLOCKS on are ENDS, so that a longer stroke than expected goes on slowly.",
     source: "US 3,809,868, FIG. 10, presettable memory 347; the trapezoid is chosen",
     parameters: &[
         Parameter { name: "WIDTH", default: 8, min: 1, max: 16, doc: "bits of a word" },
@@ -55,7 +56,7 @@ impl Block for PresettableMemory {
     }
 
     fn build(&self, b: &mut Builder) {
-        let words = (0..1 << b.count("ADDRESS_WIDTH")).map(|i| trapezoid(b, i)).collect::<Vec<_>>();
+        let words: Vec<_> = (0..1 << b.count("ADDRESS_WIDTH")).map(|i| power_on_word(b, i)).collect();
         let image = MemoryImage::from_words(b.count("WIDTH"), words);
         let write =
             MemoryWrite { enable: b.input("write"), address: b.input("write_address"), data: b.input("write_word") };
@@ -64,15 +65,23 @@ impl Block for PresettableMemory {
     }
 }
 
-fn trapezoid(b: &Builder, i: i64) -> u64 {
-    let (ends, middle, ramp) = (b.param("ENDS"), b.param("MIDDLE"), b.param("RAMP"));
+fn power_on_word(b: &Builder, i: i64) -> u64 {
+    let ramp = b.count("RAMP").into();
+    let [ends, middle] = ["ENDS", "MIDDLE"].map(|name| b.count(name).into());
     let distance = i.min(b.param("BLOCKS") - 1 - i);
-    let word = match distance {
-        ..0 => ends,
-        d if d >= ramp => middle,
-        d => middle + ((ends - middle) * (ramp - d)).div_euclid(ramp),
-    };
-    word as u64
+    match u128::try_from(distance) {
+        Err(_) | Ok(0) if ramp > 0 || distance < 0 => ends as u64,
+        Ok(d) if d < ramp => on_ramp(ends, middle, d, ramp),
+        _ => middle as u64,
+    }
+}
+
+/// The word `d` of `ramp` words from an end, by whole numbers: the largest w with (2w - 1)^2 <= 4 word^2.
+fn on_ramp(ends: u128, middle: u128, d: u128, ramp: u128) -> u64 {
+    let above = 4 * (ends * middle).pow(2) * ramp;
+    let below = middle.pow(2) * (ramp - d) + ends.pow(2) * d;
+    let doubled = (above.checked_div(below).unwrap_or(0)).isqrt();
+    doubled.div_ceil(2) as u64
 }
 
 #[cfg(test)]
@@ -91,9 +100,27 @@ mod tests {
                 })
                 .collect()
         };
-        assert_eq!(read(&mut bench), [50, 40, 30, 20, 10, 10, 10, 20, 30, 40, 50, 50, 50, 50, 50, 50]);
+        // 1/50^2 + (1/10^2 - 1/50^2) d/4 for d = 0 .. 3 is 0.0004, 0.0028, 0.0052, 0.0076.
+        assert_eq!(read(&mut bench), [50, 19, 14, 11, 10, 10, 10, 11, 14, 19, 50, 50, 50, 50, 50, 50]);
         bench.set_all(&[("write", 1), ("write_address", 5), ("write_word", 200)]);
         bench.tick();
         assert_eq!(read(&mut bench)[4..7], [10, 200, 10]);
+    }
+
+    #[test]
+    fn the_ramps_are_those_of_constant_acceleration() {
+        for (ends, middle, ramp) in [(120_i64, 20_i64, 16_i64), (120, 12, 24), (200, 1, 60), (10, 90, 20), (80, 0, 5)] {
+            let parameters = [("ENDS", ends), ("MIDDLE", middle), ("RAMP", ramp), ("BLOCKS", 200)];
+            let mut bench = Bench::new("presettable_memory", &parameters);
+            for d in 0..ramp {
+                let square = |word: i64| (word as f64).powi(-2);
+                let speed = square(ends) + (square(middle) - square(ends)) * (d as f64 / ramp as f64);
+                let exact = if d == 0 { ends as f64 } else { speed.powf(-0.5) };
+                for address in [d, 199 - d] {
+                    bench.set("address", address);
+                    assert!((bench.get("word") as f64 - exact).abs() <= 0.5 + 1e-9, "word {address}: {exact}");
+                }
+            }
+        }
     }
 }
