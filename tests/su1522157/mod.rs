@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod equations;
+mod figure;
 mod limits;
 mod machine;
 mod multiplexer;
