@@ -4,12 +4,16 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
-use stepwright::compile::{Program, compile_graph};
-use stepwright::engine::{Engine, Interpreter, Lockstep, all};
+use stepwright::compile::{Observe, Program, compile, compile_graph};
+use stepwright::engine::{Engine, Interpreter, Lockstep, Native, all};
+use stepwright::netlist::load;
+use stepwright::simulation::shipped::Shelf;
 
+use crate::generate::circuits::{drafts, write};
 use crate::generate::graphs::{grow, recipes};
 use crate::generate::listing::listing;
 use crate::generate::plain::Plain;
+use crate::generate::replicas::{replicas, replicate};
 use crate::generate::stimulus::{Action, drive, setting, stimuli};
 
 proptest! {
@@ -34,15 +38,45 @@ proptest! {
     fn engines_agree_with_the_interpreter_tick_by_tick(recipe in recipes(60), stimulus in stimuli(12), stride in 1..5_u64) {
         let program = Arc::new(compile_graph(grow(&recipe)));
         for engine in all(&program) {
-            let twin = Box::new(Interpreter::new(Arc::clone(&program)));
-            let mut lockstep = Lockstep::new(&program, [twin, engine], stride);
-            drive(&program, &mut lockstep, &stimulus);
-            if let Some(difference) = lockstep.difference() {
-                let listing = listing(&program.graph);
-                return Err(TestCaseError::fail(format!("{difference}\nstimulus: {stimulus:?}\n{listing}")));
-            }
+            agree(&program, engine, &stimulus, stride)?;
         }
     }
+
+    #[test]
+    fn shared_code_of_repeated_modules_agrees_with_the_interpreter(
+        replicas in replicas(20..70), stimulus in stimuli(12), stride in 1..5_u64
+    ) {
+        let program = Arc::new(compile_graph(replicate(&replicas)));
+        let native = Native::shared(Arc::clone(&program)).expect("native code");
+        agree(&program, Box::new(native), &stimulus, stride)?;
+    }
+
+    #[test]
+    fn engines_agree_on_random_circuit_files(draft in drafts(12), stimulus in stimuli(12), stride in 1..5_u64) {
+        let text = write(&draft);
+        let shelf = Shelf { near: "random" };
+        let netlist = load("random.v", &text, None, &shelf, &[]);
+        let netlist = netlist.map_err(|report| TestCaseError::fail(format!("{}\n{text}", report.render(false))))?;
+        let program = Arc::new(compile(&netlist, &Observe::EVERYTHING));
+        for engine in all(&program) {
+            let agreed = agree(&program, engine, &stimulus, stride);
+            agreed.map_err(|difference| TestCaseError::fail(format!("{difference}\n{text}")))?;
+        }
+    }
+}
+
+/// Runs an engine against the interpreter.
+fn agree(
+    program: &Arc<Program>,
+    engine: Box<dyn Engine>,
+    stimulus: &[Action],
+    stride: u64,
+) -> Result<(), TestCaseError> {
+    let twin = Box::new(Interpreter::new(Arc::clone(program)));
+    let mut lockstep = Lockstep::new(program, [twin, engine], stride);
+    drive(program, &mut lockstep, stimulus);
+    let Some(difference) = lockstep.difference() else { return Ok(()) };
+    Err(TestCaseError::fail(format!("{difference}\nstimulus: {stimulus:?}\n{}", listing(&program.graph))))
 }
 
 fn run_plainly(plain: &mut Plain<'_>, program: &Program, action: &Action) {

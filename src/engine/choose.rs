@@ -23,8 +23,8 @@ pub enum EngineKind {
 
 /// Ticks from which compiling pays.
 ///
-/// Measured: for each op the interpreter takes about 3 ns a tick and Cranelift about 10 us once.
-const COMPILE_PAYS: u64 = 3_000;
+/// Measured: for each op the interpreter takes about 10 ns a tick and Cranelift about 10 us once.
+const COMPILE_PAYS: u64 = 1_000;
 
 impl EngineKind {
     /// Every kind, in the order of the command line's help.

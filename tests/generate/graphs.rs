@@ -55,9 +55,14 @@ pub struct Step {
 
 /// Recipes of up to so many ops.
 pub fn recipes(ops: usize) -> impl Strategy<Value = Recipe> {
+    recipes_of(1..ops)
+}
+
+/// Recipes of so many ops.
+pub fn recipes_of(ops: std::ops::Range<usize>) -> impl Strategy<Value = Recipe> {
     let inputs = prop::collection::vec(widths(), 0..4);
     let registers = prop::collection::vec(states(), 0..6);
-    let steps = prop::collection::vec(steps(), 1..ops);
+    let steps = prop::collection::vec(steps(), ops);
     (inputs, registers, steps, 1..9_usize, any::<u16>()).prop_map(|(inputs, registers, steps, observe_every, stop)| {
         Recipe { inputs, registers, steps, observe_every, stop }
     })

@@ -2,5 +2,6 @@
 
 pub mod decoder;
 pub mod direction_control;
+pub mod order;
 pub mod phase_detector;
 pub mod polarity_detector;

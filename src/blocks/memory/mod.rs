@@ -1,6 +1,8 @@
 //! Memory: registers, triggers, counters, stores.
 
 pub mod binary_counter;
+pub mod checksum;
+pub mod lfsr;
 pub mod presettable_memory;
 pub mod register;
 pub mod reversible_counter;

@@ -35,8 +35,7 @@ fn emit(
 ) -> Value {
     let graph = &program.graph;
     let flags = MemFlagsData::trusted();
-    let areas: [Value; Area::COUNT] = [Area::Now, Area::Next, Area::Wires, Area::Rams, Area::Roms]
-        .map(|area| b.ins().load(I64, flags, context, area.offset()));
+    let areas = Area::ALL.map(|area| b.ins().load(I64, flags, context, area.offset()));
     let until = b.ins().load(I32, flags, records, 0);
     let until = b.ins().ireduce(I8, until);
     let (head, commit, exit) = (b.create_block(), b.create_block(), b.create_block());

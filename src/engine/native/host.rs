@@ -34,6 +34,8 @@ pub(super) enum Area {
 }
 
 impl Area {
+    /// All, in order.
+    pub const ALL: [Area; Self::COUNT] = [Area::Now, Area::Next, Area::Wires, Area::Rams, Area::Roms];
     /// How many there are.
     pub const COUNT: usize = 5;
 

@@ -100,6 +100,8 @@ pub(super) struct Layout {
     pub wires: HashMap<ValueId, u32>,
     /// By RAM. Its words are followed by a zero for reads beyond the depth, and by one that takes lost writes.
     pub rams: Vec<u32>,
+    /// By RAM: the group in whose part it stands.
+    pub ram_homes: Vec<u32>,
     /// By ROM. Its words are followed by a zero. ROMs of equal content share a place.
     pub roms: Vec<u32>,
     sizes: [u32; 4],
@@ -114,10 +116,11 @@ impl Layout {
         for (index, &group) in group.iter().enumerate() {
             members[group as usize].push(ValueId::new(index));
         }
-        let mut layout = Layout { registers: vec![0; graph.registers.len()], ..Layout::default() };
+        let (registers, ram_homes) = (vec![0; graph.registers.len()], vec![0; graph.rams.len()]);
+        let mut layout = Layout { registers, ram_homes, ..Layout::default() };
         let mut ram_places = vec![None; graph.rams.len()];
         let (mut state, mut wires, mut rams) = (Allocator::default(), Allocator::default(), Allocator::default());
-        for members in &members {
+        for (home, members) in (0..).zip(&members) {
             [&mut state, &mut wires, &mut rams].into_iter().for_each(Allocator::align);
             layout.homes.push(Home { state: state.size, wires: wires.size, rams: rams.size });
             for &id in members {
@@ -128,6 +131,7 @@ impl Layout {
                         let image = &graph.rams[ram.index()].image;
                         let size = (image.depth() + 2) * element_size(image);
                         ram_places[ram.index()] = Some(rams.take(size as u32));
+                        layout.ram_homes[ram.index()] = home;
                     }
                     _ => {}
                 }
@@ -183,8 +187,13 @@ impl Memory {
         memory
     }
 
-    /// Carries out the writes of the tick that ends.
-    pub fn write_rams(&mut self, program: &Program, layout: &Layout) {
+    /// Ends the tick: writes memories and makes the next state the present one.
+    pub fn commit(&mut self, program: &Program, layout: &Layout) {
+        self.write_rams(program, layout);
+        std::mem::swap(&mut self.now, &mut self.next);
+    }
+
+    fn write_rams(&mut self, program: &Program, layout: &Layout) {
         for (ram, &place) in program.graph.rams.iter().zip(&layout.rams) {
             let read = |id| self.value(program, layout, id);
             let (enable, address, data) = (read(ram.write.enable), read(ram.write.address), read(ram.write.data));

@@ -1,15 +1,21 @@
 //! The native engine: the program as machine code, made by Cranelift when it is loaded.
 
 mod fused;
+mod group;
 mod host;
 mod memory;
 mod ops;
+mod plan;
+mod shape;
+mod shared;
+mod unit;
 mod word;
 
 use std::sync::Arc;
 
 use self::host::{Assembler, Code};
 use self::memory::{Layout, Memory};
+use self::shared::Schedule;
 use super::Engine;
 use crate::base::{Diagnostic, Op, ValueId};
 use crate::compile::Program;
@@ -23,11 +29,23 @@ pub struct Native {
     layout: Layout,
     memory: Memory,
     code: Code,
-    function: usize,
+    form: Form,
     /// Inputs as set; those in memory are as last settled.
     inputs: Vec<u64>,
     stale: bool,
 }
+
+/// What the code of a program looks like.
+enum Form {
+    /// One function with the tick loop inside.
+    Fused(usize),
+    /// Many functions, called once or more for each tick.
+    Shared(Schedule),
+}
+
+/// Ops of a program from which it is cut into functions. Measured: below, one function runs faster, and is compiled
+/// within some milliseconds.
+const FUSED_OPS: usize = 1000;
 
 impl Native {
     /// Compiles `program` and puts it at tick 0 with all inputs 0.
@@ -35,11 +53,29 @@ impl Native {
     /// # Errors
     /// `E001` when no code can be made for this machine.
     pub fn new(program: Arc<Program>) -> Result<Self, Diagnostic> {
-        let stored = stored(&program);
-        let group = vec![0; program.graph.nodes.len()];
-        let layout = Layout::new(&program, &group, |id| stored[id.index()]);
+        let ops = program.graph.nodes.iter().filter(|node| !node.op.is_leaf()).count();
+        Self::in_form(program, ops > FUSED_OPS)
+    }
+
+    /// Compiles `program` as many functions whatever its size.
+    ///
+    /// # Errors
+    /// As for [`Native::new`].
+    pub fn shared(program: Arc<Program>) -> Result<Self, Diagnostic> {
+        Self::in_form(program, true)
+    }
+
+    fn in_form(program: Arc<Program>, shared: bool) -> Result<Self, Diagnostic> {
         let mut assembler = Assembler::new()?;
-        let function = fused::compile(&mut assembler, &program, &layout)?;
+        let stored = stored(&program);
+        let (layout, form) = if shared {
+            let (layout, schedule) = shared::compile(&mut assembler, &program, stored)?;
+            (layout, Form::Shared(schedule))
+        } else {
+            let layout = Layout::new(&program, &vec![0; stored.len()], |id| stored[id.index()]);
+            let function = fused::compile(&mut assembler, &program, &layout)?;
+            (layout, Form::Fused(function))
+        };
         let mut engine = Self {
             memory: Memory::new(&program, &layout),
             code: assembler.finish()?,
@@ -47,10 +83,29 @@ impl Native {
             stale: false,
             program,
             layout,
-            function,
+            form,
         };
         engine.settle();
         Ok(engine)
+    }
+
+    /// Settles the present tick, and up to `more` ticks after it. Returns how many were left at a stop.
+    fn run(&mut self, more: u64, until_stop: bool) -> u64 {
+        let memory = &mut self.memory;
+        let schedule = match &self.form {
+            Form::Fused(function) => return self.code.call(*function, memory, &[until_stop.into()], more),
+            Form::Shared(schedule) => schedule,
+        };
+        let stop = self.program.stop.filter(|_| until_stop);
+        let mut left = more;
+        loop {
+            schedule.settle(&self.code, memory);
+            if left == 0 || stop.is_some_and(|stop| memory.value(&self.program, &self.layout, stop) != 0) {
+                return left;
+            }
+            memory.commit(&self.program, &self.layout);
+            left -= 1;
+        }
     }
 }
 
@@ -83,7 +138,7 @@ impl Engine for Native {
             }
         }
         self.stale = false;
-        self.code.call(self.function, &mut self.memory, &[0], 0);
+        self.run(0, false);
     }
 
     fn advance(&mut self, ticks: u64, until_stop: bool) -> u64 {
@@ -93,10 +148,8 @@ impl Engine for Native {
         if ticks == 0 {
             return 0;
         }
-        self.memory.write_rams(&self.program, &self.layout);
-        std::mem::swap(&mut self.memory.now, &mut self.memory.next);
-        let left = self.code.call(self.function, &mut self.memory, &[until_stop.into()], ticks - 1);
-        ticks - left
+        self.memory.commit(&self.program, &self.layout);
+        ticks - self.run(ticks - 1, until_stop)
     }
 
     fn value(&self, id: ValueId) -> u64 {
