@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use super::sweep::SweepArguments;
 use crate::engine::EngineKind;
 use crate::scenario::Number;
 
@@ -67,6 +68,8 @@ pub enum Command {
         /// The other one
         b: PathBuf,
     },
+    /// Run many stimuli of a circuit, one row of results each
+    Sweep(SweepArguments),
     /// Write a circuit in a form that other tools read
     #[command(after_help = "Example:\n  stepwright export su1522157/table1 --verilog out\n  \
         iverilog -g2005 -o bench.vvp out/*.v && vvp -n bench.vvp")]

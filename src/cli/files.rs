@@ -175,11 +175,13 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Report> {
     Ok(bytes)
 }
 
-fn unreadable(path: &Path, why: &str) -> Diagnostic {
+/// The diagnostic for a file that cannot be read.
+pub(super) fn unreadable(path: &Path, why: &str) -> Diagnostic {
     Diagnostic::new("C002", format!("cannot read {}: {why}", path.display()))
 }
 
-fn reason(error: &io::Error) -> String {
+/// An I/O error in plain words.
+pub(super) fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_owned(),
         io::ErrorKind::PermissionDenied => "permission denied".to_owned(),

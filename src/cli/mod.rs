@@ -12,6 +12,7 @@ mod picture;
 mod prepare;
 mod run;
 mod show;
+mod sweep;
 mod waves;
 
 use std::io::{self, IsTerminal, Write};
@@ -66,6 +67,7 @@ fn command(command: Command) -> Result<Ending, Report> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check { scenarios, bless, engine } => check::check(&scenarios, bless, engine),
         Command::Diff { a, b } => diff::diff(&a, &b),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Export { target, verilog } => export::export(&target, &verilog),
         Command::Completions { shell } => {
             clap_complete::generate(shell, &mut Arguments::command(), "stepwright", &mut io::stdout());

@@ -1,0 +1,138 @@
+//! `stepwright sweep`: many stimuli of one circuit, one row each, in order.
+
+mod ranges;
+mod resume;
+mod rows;
+mod runner;
+mod stimuli;
+
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::args::Target;
+use super::prepare::{self, Prepared};
+use super::{Ending, files};
+use crate::base::{Diagnostic, Report};
+use crate::compile::{Observe, Program, compile};
+use ranges::Over;
+use rows::{Format, Rows};
+use stimuli::Stimuli;
+
+/// Arguments of `sweep`.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:\n  \
+    stepwright sweep su1522157/interpolator --over major_32=0..=255 --over minor_34=0..=255 --out frames.csv\n  \
+    stepwright sweep su1522157/interpolator -s minor_34=3 --over major_32=3,5,8..=64:8\n  \
+    stepwright sweep su1522157/interpolator --from frames.csv --out results.jsonl\n\n\
+    A range a..b ends before b, a..=b with it; :s takes every s-th. With several --over the last varies fastest.\n\
+    Rows are CSV, or JSON lines when the file's name ends in .jsonl. Interrupted (Ctrl-C), the file holds all rows done\n\
+    so far; the same command with --resume goes on from there.")]
+pub struct SweepArguments {
+    /// What to run.
+    #[command(flatten)]
+    pub target: Target,
+    /// Take an input through ranges and lists of values: 0..10, 0..=255:5, 1,2,5
+    #[arg(long, value_name = "NAME=RANGE", value_parser = Over::parse, required_unless_present = "from")]
+    pub over: Vec<Over>,
+    /// Take inputs from a CSV file whose header names them
+    #[arg(long, value_name = "FILE.csv", conflicts_with = "over")]
+    pub from: Option<PathBuf>,
+    /// Write the rows into this file (standard output otherwise)
+    #[arg(long, value_name = "FILE.csv|.jsonl")]
+    pub out: Option<PathBuf>,
+    /// Threads to run on; all cores by default
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Go on with a file that an interrupted sweep left
+    #[arg(long, requires = "out")]
+    pub resume: bool,
+}
+
+/// Becomes true at Ctrl-C.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
+    let prepared = prepare::prepare(&arguments.target)?;
+    let program = Arc::new(compile_for_rows(&prepared));
+    let stimuli = match &arguments.from {
+        Some(path) => Stimuli::from_csv(path, &prepared)?,
+        None => Stimuli::over(&arguments.over, &prepared)?,
+    };
+    let rows = Rows::new(Format::of(arguments.out.as_deref()), &program, stimuli.varied());
+    let (mut output, done_before) = resume::open(arguments, &rows, &stimuli)?;
+    // Without a handler Ctrl-C just ends the program, which leaves a file that can be resumed, too.
+    let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
+    let bar = progress(stimuli.count(), done_before);
+    let job = runner::Job {
+        prepared: &prepared,
+        program: &program,
+        threads: arguments.threads.map(usize::from),
+        engine: arguments.target.engine,
+        cancel: &INTERRUPTED,
+    };
+    let mut text = String::new();
+    let mut at_limit = 0_u64;
+    let done = job.run(stimuli.feed(done_before)?, |row| {
+        at_limit += u64::from(row.stopped_by == crate::engine::StoppedBy::Limit);
+        text.clear();
+        rows.write(row, &mut text);
+        bar.inc(1);
+        output.write(&text)
+    })?;
+    bar.finish_and_clear();
+    if !output.finish()? {
+        return Ok(Ending::Done);
+    }
+    let rows = done_before + done.rows;
+    if rows < stimuli.count() {
+        eprintln!("{}", interrupted(rows, stimuli.count(), arguments));
+        return Ok(Ending::Different);
+    }
+    if at_limit > 0 {
+        eprintln!("{at_limit} of {} rows reached the limit before the net to wait for came", done.rows);
+        return Ok(Ending::Different);
+    }
+    Ok(Ending::Done)
+}
+
+fn compile_for_rows(prepared: &Prepared) -> Program {
+    let until = prepared.stimulus.stop.until;
+    compile(&prepared.netlist, &Observe { until, pulses: true, ..Observe::OUTPUTS })
+}
+
+/// A bar on standard error when that is a terminal.
+fn progress(count: u64, done: u64) -> ProgressBar {
+    let target =
+        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+    let bar = ProgressBar::with_draw_target(Some(count), target).with_position(done);
+    let style = ProgressStyle::with_template("{wide_bar} {human_pos} of {human_len} rows, {per_sec}, {eta} left");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar.reset_eta();
+    bar
+}
+
+fn interrupted(rows: u64, count: u64, arguments: &SweepArguments) -> String {
+    let head = format!("interrupted after {rows} of {count} rows");
+    match &arguments.out {
+        None => head,
+        Some(path) => {
+            let typed: Vec<_> = std::env::args().filter(|word| word != "--resume").collect();
+            format!("{head}, which are in {}; to go on:\n  {} --resume", path.display(), typed.join(" "))
+        }
+    }
+}
+
+/// A sweep over an input that the scenario changes by itself would show words that the circuit never had.
+fn untimed(prepared: &Prepared, input: usize, name: &str) -> Result<(), Diagnostic> {
+    let is_timed = prepared.stimulus.changes.iter().any(|(_, words)| words.iter().any(|(timed, _)| *timed == input));
+    if is_timed {
+        let diagnostic = Diagnostic::new("C061", format!("the scenario changes the input `{name}` over time"));
+        return Err(diagnostic.help("sweep over the inputs that it holds, or write a scenario that holds this one"));
+    }
+    Ok(())
+}

@@ -1,0 +1,132 @@
+//! Rows as text: CSV, or JSON lines.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use crate::base::Port;
+use crate::base::word::decode;
+use crate::compile::Program;
+use crate::engine::batch::Row;
+
+/// How rows are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Format {
+    /// A header, then a line for each row.
+    Csv,
+    /// A JSON object for each row.
+    JsonLines,
+}
+
+impl Format {
+    /// The format that a file's name asks for.
+    pub fn of(path: Option<&Path>) -> Self {
+        let ending = path.and_then(Path::extension).and_then(|ending| ending.to_str());
+        if matches!(ending, Some("jsonl" | "ndjson" | "json")) { Format::JsonLines } else { Format::Csv }
+    }
+}
+
+/// A column: names of ports are identifiers, so that neither format has to quote or escape anything.
+#[derive(Clone, Debug)]
+struct Column {
+    name: String,
+    width: u32,
+    signed: bool,
+}
+
+impl Column {
+    fn of(port: &Port) -> Self {
+        Self { name: port.name.clone(), width: port.width, signed: port.signed }
+    }
+
+    fn number(&self, word: u64) -> i128 {
+        decode(word, self.width, self.signed)
+    }
+}
+
+/// Writes rows of one program.
+#[derive(Clone, Debug)]
+pub struct Rows {
+    format: Format,
+    varied: Vec<usize>,
+    inputs: Vec<Column>,
+    outputs: Vec<Column>,
+    pulses: Vec<String>,
+}
+
+impl Rows {
+    /// Rows with the inputs that vary, all outputs, and the pulse counts.
+    pub fn new(format: Format, program: &Program, varied: &[usize]) -> Self {
+        let pulses = program.pulses.iter().map(|(output, _)| program.outputs[*output].name.clone());
+        Self {
+            format,
+            varied: varied.to_vec(),
+            inputs: varied.iter().map(|&input| Column::of(&program.inputs[input])).collect(),
+            outputs: program.outputs.iter().map(Column::of).collect(),
+            pulses: pulses.collect(),
+        }
+    }
+
+    /// The first line of the file; none for JSON lines.
+    pub fn header(&self) -> Option<String> {
+        let ports = self.inputs.iter().chain(&self.outputs).map(|column| column.name.clone());
+        let pulses = self.pulses.iter().map(|name| format!("pulses.{name}"));
+        let all: Vec<_> = ports.chain(["ticks".into(), "stopped_by".into()]).chain(pulses).collect();
+        (self.format == Format::Csv).then(|| all.join(",") + "\n")
+    }
+
+    /// How the row of a stimulus begins: with its inputs.
+    pub fn beginning(&self, inputs: &[u64]) -> String {
+        let words: Vec<_> = self.varied.iter().map(|&input| inputs[input]).collect();
+        let mut text = String::new();
+        match self.format {
+            Format::Csv => numbers(&self.inputs, &words, &mut text),
+            Format::JsonLines => {
+                text.push_str("{\"inputs\":");
+                object(&self.inputs, &words, &mut text);
+                text.push(',');
+            }
+        }
+        text
+    }
+
+    /// Appends a row and its line end.
+    pub fn write(&self, row: Row<'_>, text: &mut String) {
+        text.push_str(&self.beginning(row.inputs));
+        let (ticks, stopped_by) = (row.ticks, row.stopped_by);
+        // Writing into a string cannot fail.
+        match self.format {
+            Format::Csv => {
+                numbers(&self.outputs, row.outputs, text);
+                let _ = write!(text, "{ticks},{stopped_by}");
+                for count in row.pulses {
+                    let _ = write!(text, ",{count}");
+                }
+            }
+            Format::JsonLines => {
+                let _ = write!(text, "\"ticks\":{ticks},\"stopped_by\":\"{stopped_by}\",\"outputs\":");
+                object(&self.outputs, row.outputs, text);
+                text.push_str(",\"pulses\":{");
+                for (i, (name, count)) in self.pulses.iter().zip(row.pulses).enumerate() {
+                    let _ = write!(text, "{}\"{name}\":{count}", if i > 0 { "," } else { "" });
+                }
+                text.push_str("}}");
+            }
+        }
+        text.push('\n');
+    }
+}
+
+/// Each number and a comma.
+fn numbers(columns: &[Column], words: &[u64], text: &mut String) {
+    for (column, &word) in columns.iter().zip(words) {
+        let _ = write!(text, "{},", column.number(word));
+    }
+}
+
+fn object(columns: &[Column], words: &[u64], text: &mut String) {
+    text.push('{');
+    for (i, (column, &word)) in columns.iter().zip(words).enumerate() {
+        let _ = write!(text, "{}\"{}\":{}", if i > 0 { "," } else { "" }, column.name, column.number(word));
+    }
+    text.push('}');
+}

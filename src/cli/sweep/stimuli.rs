@@ -1,0 +1,236 @@
+//! The stimuli of a sweep: a cross product of ranges, or the rows of a CSV file, checked before anything runs.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+use super::ranges::Over;
+use super::{files, untimed};
+use crate::base::{Diagnostic, Report, Sources};
+use crate::cli::prepare::Prepared;
+use crate::netlist::Net;
+use crate::scenario::Number;
+
+/// How many errors of a CSV file are shown.
+const MOST_ERRORS: usize = 20;
+
+/// Checked stimuli.
+pub struct Stimuli {
+    /// Words of all inputs before the sweep sets its own.
+    initial: Vec<u64>,
+    /// Inputs that vary, in the order of the columns.
+    varied: Vec<usize>,
+    source: Source,
+    count: u64,
+}
+
+enum Source {
+    /// For each varied input its values, as words.
+    Ranges(Vec<Axis>),
+    Csv {
+        path: PathBuf,
+        ports: Vec<Port>,
+    },
+}
+
+/// How a number becomes a word.
+#[derive(Clone, Copy)]
+struct Port {
+    width: u32,
+    signed: bool,
+    fraction: Option<u32>,
+}
+
+impl Port {
+    fn of(net: &Net) -> Self {
+        Self { width: net.width, signed: net.signed, fraction: net.fraction }
+    }
+
+    fn encode(self, number: Number) -> Result<u64, String> {
+        number.encode(self.width, self.signed, self.fraction)
+    }
+}
+
+struct Axis {
+    over: Over,
+    port: Port,
+    count: u64,
+}
+
+/// Fills the words of the inputs, stimulus after stimulus.
+pub type Feed = Box<dyn FnMut(&mut [u64]) -> bool + Send>;
+
+impl Stimuli {
+    /// The cross product of `over`, the last one varying fastest.
+    ///
+    /// # Errors
+    /// `C061` a timed input, `C062` an input given twice, `C063` a value that does not fit, `C064` too many stimuli,
+    /// `S010` unknown input.
+    pub fn over(over: &[Over], prepared: &Prepared) -> Result<Self, Report> {
+        let mut wrong = Vec::new();
+        let mut axes = Vec::new();
+        let varied = columns(over.iter().map(|over| over.name.as_str()), prepared, &mut wrong);
+        for (over, &input) in over.iter().zip(&varied) {
+            let Some(input) = input else { continue };
+            let port = Port::of(net(prepared, input));
+            let ends = over.spans.iter().flat_map(|span| [span.value(0), span.value(span.count() - 1)]);
+            if let Some(error) = ends.filter_map(|end| port.encode(end).err()).next() {
+                wrong.push(Diagnostic::new("C063", format!("--over {}: {error}", over.name)));
+            }
+            axes.push(over.count().map(|count| Axis { over: over.clone(), port, count }));
+        }
+        let axes: Option<Vec<_>> = axes.into_iter().collect();
+        let count = axes.as_ref().and_then(|all| all.iter().try_fold(1_u64, |n, axis| n.checked_mul(axis.count)));
+        match (axes, count) {
+            (Some(axes), Some(count)) if wrong.is_empty() => {
+                let varied = varied.into_iter().flatten().collect();
+                Ok(Self { initial: prepared.stimulus.initial.clone(), varied, source: Source::Ranges(axes), count })
+            }
+            _ => {
+                if wrong.is_empty() {
+                    wrong.push(Diagnostic::new("C064", "the sweep has more than 2^64 stimuli").help("narrow a range"));
+                }
+                Err(Report::new(Sources::default(), wrong))
+            }
+        }
+    }
+
+    /// The rows of a CSV file; its header names inputs. The whole file is checked, a row at a time.
+    ///
+    /// # Errors
+    /// As [`Stimuli::over`], each with its line; `C065` what is no CSV.
+    pub fn from_csv(path: &Path, prepared: &Prepared) -> Result<Self, Report> {
+        let mut reader = open(path)?;
+        let header = reader.headers().map_err(|error| not_csv(path, &error))?.clone();
+        let mut wrong = Vec::new();
+        if header.is_empty() {
+            wrong
+                .push(Diagnostic::new("C065", format!("{} is empty: its first line must name inputs", path.display())));
+        }
+        let varied: Option<Vec<_>> = columns(header.iter(), prepared, &mut wrong).into_iter().collect();
+        let Some(varied) = varied.filter(|_| wrong.is_empty()) else {
+            return Err(Report::new(Sources::default(), wrong));
+        };
+        let ports: Vec<_> = varied.iter().map(|&input| Port::of(net(prepared, input))).collect();
+        let mut record = csv::StringRecord::new();
+        let mut count = 0;
+        while wrong.len() < MOST_ERRORS && reader.read_record(&mut record).map_err(|error| not_csv(path, &error))? {
+            count += 1;
+            for ((field, port), name) in record.iter().zip(&ports).zip(&header) {
+                if let Err(error) = Number::parse(field).and_then(|number| port.encode(number)) {
+                    let line = record.position().map_or(0, csv::Position::line);
+                    wrong.push(Diagnostic::new("C063", format!("{}:{line}: {name}: {error}", path.display())));
+                }
+            }
+        }
+        if !wrong.is_empty() {
+            return Err(Report::new(Sources::default(), wrong));
+        }
+        let source = Source::Csv { path: path.to_owned(), ports };
+        Ok(Self { initial: prepared.stimulus.initial.clone(), varied, source, count })
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// How many inputs the circuit has.
+    pub fn inputs(&self) -> usize {
+        self.initial.len()
+    }
+
+    /// The inputs that vary, in the order of the columns.
+    pub fn varied(&self) -> &[usize] {
+        &self.varied
+    }
+
+    /// The stimuli from number `skip` on.
+    ///
+    /// # Errors
+    /// When the CSV file has gone.
+    pub fn feed(&self, skip: u64) -> Result<Feed, Report> {
+        let (initial, varied) = (self.initial.clone(), self.varied.clone());
+        let mut next: Box<dyn FnMut(&mut dyn FnMut(usize, u64)) -> bool + Send> = match &self.source {
+            Source::Ranges(axes) => self.cross_product(axes, skip),
+            Source::Csv { path, ports } => {
+                let mut records = open(path)?.into_records().skip(usize::try_from(skip).unwrap_or(usize::MAX));
+                let (ports, mut left) = (ports.clone(), self.count - skip);
+                Box::new(move |set| {
+                    // The file was checked as a whole; should it have changed since, the sweep ends here.
+                    let record = records.next().and_then(Result::ok).filter(|_| left > 0);
+                    left = left.saturating_sub(1);
+                    let words: Option<Vec<_>> = record.and_then(|record| {
+                        let fields = record.iter().zip(&ports);
+                        fields.map(|(field, port)| port.encode(Number::parse(field).ok()?).ok()).collect()
+                    });
+                    words.iter().flatten().enumerate().for_each(|(column, &word)| set(column, word));
+                    words.is_some()
+                })
+            }
+        };
+        Ok(Box::new(move |words| {
+            words.copy_from_slice(&initial);
+            next(&mut |column, word| words[varied[column]] = word)
+        }))
+    }
+
+    fn cross_product(&self, axes: &[Axis], skip: u64) -> Box<dyn FnMut(&mut dyn FnMut(usize, u64)) -> bool + Send> {
+        let axes: Vec<_> = axes.iter().map(|axis| (axis.over.clone(), axis.port, axis.count)).collect();
+        let (mut index, count) = (skip, self.count);
+        Box::new(move |set| {
+            let mut rest = index;
+            for (column, (over, port, count)) in axes.iter().enumerate().rev() {
+                let value = over.value(rest % count).and_then(|number| port.encode(number).ok());
+                set(column, value.unwrap_or_default());
+                rest /= count;
+            }
+            let is_one = index < count;
+            index += u64::from(is_one);
+            is_one
+        })
+    }
+}
+
+fn net(prepared: &Prepared, input: usize) -> &Net {
+    &prepared.netlist.nets[prepared.netlist.inputs[input].index()]
+}
+
+/// The inputs of the columns; what is wrong with one goes to `wrong`.
+fn columns<'a>(
+    names: impl Iterator<Item = &'a str>,
+    prepared: &Prepared,
+    wrong: &mut Vec<Diagnostic>,
+) -> Vec<Option<usize>> {
+    let known: Vec<_> = (0..prepared.netlist.inputs.len()).map(|input| net(prepared, input).name.as_str()).collect();
+    let mut found: Vec<Option<usize>> = Vec::new();
+    for name in names {
+        let input = known.iter().position(|known| *known == name);
+        match input {
+            None => {
+                let message = format!("the circuit `{}` has no input `{name}`", prepared.circuit);
+                let diagnostic = Diagnostic::new("S010", message).nearest(name, known.iter().copied());
+                wrong.push(diagnostic.help(format!("its inputs are: {}", known.join(", "))));
+            }
+            Some(_) if found.contains(&input) => {
+                wrong.push(Diagnostic::new("C062", format!("the input `{name}` is given twice")));
+            }
+            Some(input) => wrong.extend(untimed(prepared, input, name).err()),
+        }
+        found.push(input);
+    }
+    found
+}
+
+fn open(path: &Path) -> Result<csv::Reader<File>, Report> {
+    if path.is_dir() {
+        return Err(Diagnostic::new("C002", format!("cannot read {}: it is a directory", path.display())).into());
+    }
+    let file = File::open(path).map_err(|error| files::unreadable(path, &files::reason(&error)))?;
+    Ok(csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(file))
+}
+
+fn not_csv(path: &Path, error: &csv::Error) -> Report {
+    Diagnostic::new("C065", format!("{}: {error}", path.display()))
+        .help("the first line names inputs, every other line has a number for each of them")
+        .into()
+}
