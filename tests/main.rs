@@ -1,5 +1,7 @@
 //! The one integration-test binary; each module tests one concern from outside.
 
+/// The command line as scripts see it.
+mod cli;
 /// The data converters of US 3,809,868.
 mod converters;
 /// Engines agree with each other and with the meaning of the ops.
