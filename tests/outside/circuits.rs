@@ -21,18 +21,23 @@ fn icarus_agrees_on_every_net_and_tick_of_every_scenario() {
     let scenarios: Vec<_> = shipped::names("toml").collect();
     let on_disk = tools::files_below("circuits", "toml").len();
     assert!(on_disk > 0 && scenarios.len() == on_disk, "{} scenarios of {on_disk}", scenarios.len());
-    let judged = scenarios.par_iter().map(|name| judge(name));
+    let judged = scenarios.par_iter().map(|name| judge_scenario(name));
     let wrong: Vec<String> = judged.filter_map(Result::err).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Runs a scenario here and there; an error tells the first net and tick on which they differ.
-fn judge(name: &str) -> Result<(), String> {
+/// Runs a scenario here and there.
+fn judge_scenario(name: &str) -> Result<(), String> {
     let (netlist, stimulus) = load(name).map_err(|report| report.to_string())?;
-    let program = Arc::new(compile(&netlist, &observe(&stimulus)));
+    judge(name, &netlist, &stimulus)
+}
+
+/// Runs a circuit here and there; an error tells the first net and tick on which they differ.
+pub fn judge(name: &str, netlist: &Netlist, stimulus: &Stimulus) -> Result<(), String> {
+    let program = Arc::new(compile(netlist, &observe(stimulus)));
     let mut engine = Interpreter::new(Arc::clone(&program));
-    let ticks = run(&mut engine, &program, &stimulus, None).ticks;
-    let wave = icarus(&netlist, &stimulus, ticks);
+    let ticks = run(&mut engine, &program, stimulus, None).ticks;
+    let wave = icarus(netlist, stimulus, ticks);
 
     let theirs = variables(name, &program, &wave)?;
     let mut difference = None;
@@ -45,7 +50,7 @@ fn judge(name: &str) -> Result<(), String> {
             }
         }
     };
-    run(&mut Interpreter::new(Arc::clone(&program)), &program, &stimulus, Some(&mut compare));
+    run(&mut Interpreter::new(Arc::clone(&program)), &program, stimulus, Some(&mut compare));
     difference.map_or(Ok(()), Err)
 }
 

@@ -1,0 +1,154 @@
+//! Icarus and our reader agree on the language: loops, selects, nested modules, and what constant expressions come to.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use stepwright::base::word::mask;
+use stepwright::netlist::{self, Library};
+use stepwright::simulation::{Stimulus, StopRule};
+
+use super::circuits::judge;
+use super::random::Random;
+use super::tools;
+
+struct Nowhere;
+
+impl Library for Nowhere {
+    fn find(&self, _: &str) -> Option<(String, Arc<str>)> {
+        None
+    }
+}
+
+/// Reads `text`, whose top module is `language`, and holds it against Icarus under random inputs.
+fn check(text: &str, parameters: &[(String, i64)]) {
+    let netlist = netlist::load("language.v", text, None, &Nowhere, parameters);
+    let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
+    let mut random = Random(5);
+    let widths: Vec<_> = netlist.inputs.iter().map(|id| netlist.nets[id.index()].width).collect();
+    let mut words = || widths.iter().map(|width| random.word() & mask(*width)).enumerate().collect();
+    let stimulus = Stimulus {
+        initial: vec![0; widths.len()],
+        changes: (0..100).map(|tick| (tick, words())).collect(),
+        stop: StopRule { until: None, first_judged: 1, ticks: 100 },
+    };
+    judge("language", &netlist, &stimulus).unwrap_or_else(|difference| panic!("{difference}"));
+}
+
+const STRUCTURE: &str = "
+`timescale 1ns / 1ns
+`default_nettype none
+/* A module in a module in a loop. */
+module stage #(parameter WIDTH = 4, parameter TURN = 1) (
+    input wire clk,
+    input wire [WIDTH-1:0] d,
+    output wire [WIDTH-1:0] q
+);
+    localparam LEFT = WIDTH - TURN;
+    wire [WIDTH-1:0] held;
+    delay_element #(.DELAY(TURN)) delay_1 (.clk(clk), .pulse_in(d[0]), .pulse_out(held[0]));
+    assign held[WIDTH-1:1] = d[WIDTH-1:1];
+    assign q = {held[LEFT-1:0], held[WIDTH-1:LEFT]};
+endmodule
+
+module language #(parameter N = 5) (
+    input wire clk,
+    input wire [2*N-1:0] word,
+    input wire signed [N-1:0] strobe,
+    output wire [2*N-1:0] back,
+    output wire [$clog2(3*N+1)-1:0] ones,
+    output wire parity
+);
+    localparam HALF = (N + 1) / 2, MORE = N > 4 ? N : 4;
+    wire [N:0] chain;
+    wire [2*N-1:0] turned;
+    assign chain[0] = 1'b0;
+    assign ones = {$clog2(3*N+1){1'b1}};
+    genvar i, k;
+    generate
+        for (i = 0; i < N; i = i + 1) begin : lane
+            wire [1:0] pair;
+            wire set, q;
+            assign pair = turned[2*i+1:2*i];
+            and both (set, pair[0], pair[1], strobe[i]);
+            trigger trigger_1 (.clk(clk), .set(set), .reset(strobe[(i + 1) % N]), .q(q), .q_inverse());
+            xor fold (chain[i+1], chain[i], q, pair[i % 2]);
+            assign back[2*i+1:2*i] = {q, ~1'b0 & 1'b1};
+        end
+        for (i = N - 1; i >= HALF; i = i - 2) begin : row
+            wire [HALF-1:0] column;
+            for (k = 0; k < HALF; k = k + 1) begin : cell_
+                nor pick (column[k], word[i], word[k], strobe[k]);
+            end
+        end
+    endgenerate
+    stage #(.WIDTH(2*N), .TURN(N - MORE + 3)) stage_1 (.clk(clk), .d(word), .q(turned));
+    buf result (parity, chain[N]);
+endmodule
+";
+
+#[test]
+fn icarus_agrees_on_loops_selects_and_nested_modules() {
+    if !tools::present(&["iverilog", "vvp"]) {
+        return;
+    }
+    for n in [5, 8, 13] {
+        check(STRUCTURE, &[("N".to_owned(), n)]);
+    }
+}
+
+/// Text of random constant expressions of a given width, signed and unsigned, in every base.
+struct Expressions {
+    random: Random,
+}
+
+impl Expressions {
+    fn literal(&mut self, width: u32) -> String {
+        let value = self.random.word() & mask(width) & mask(self.random.below(64) as u32 + 1);
+        let sign = if self.random.below(2) == 0 { "s" } else { "" };
+        match self.random.below(4) {
+            0 => format!("{width}'{sign}d{value}"),
+            1 => format!("{width}'{sign}h{value:x}"),
+            2 => format!("{width}'{sign}o{value:o}"),
+            _ => format!("{width}'{sign}b{value:b}"),
+        }
+    }
+
+    fn of(&mut self, width: u32, depth: u32) -> String {
+        if depth == 0 {
+            return self.literal(width);
+        }
+        let a = self.of(width, depth - 1);
+        // The other operand may be narrower: it is extended, by its sign when both are signed.
+        let narrow = 1 + self.random.below(u64::from(width)) as u32;
+        let b = self.of(narrow, depth - 1);
+        match self.random.below(12) {
+            0 => format!("({a} + {b})"),
+            1 => format!("({b} - {a})"),
+            2 => format!("({a} * {b})"),
+            3 => format!("({a} & {b})"),
+            4 => format!("({b} | {a})"),
+            5 => format!("({a} ^ {b})"),
+            6 => format!("(~{a})"),
+            7 => format!("({a} << {})", self.random.below(u64::from(width) + 1)),
+            8 => format!("({a} >> {})", self.random.below(u64::from(width) + 1)),
+            9 if narrow < width => format!("{{{}, {b}}}", self.of(width - narrow, depth - 1)),
+            10 => format!("(({b} < {}) ? {a} : {})", self.of(narrow, depth - 1), self.of(width, depth - 1)),
+            _ => format!("(({b} == {}) ? {} : {a})", self.of(width, depth - 1), self.of(width, depth - 1)),
+        }
+    }
+}
+
+#[test]
+fn icarus_agrees_on_what_constant_expressions_come_to() {
+    if !tools::present(&["iverilog", "vvp"]) {
+        return;
+    }
+    let mut expressions = Expressions { random: Random(6) };
+    let mut text = "`default_nettype none\nmodule language (input wire a, output wire y);\nbuf b (y, a);\n".to_owned();
+    for i in 0..400 {
+        let width = [1, 4, 8, 13, 32, 64][i % 6];
+        let expression = expressions.of(width, 1 + i as u32 % 3);
+        writeln!(text, "wire [{}:0] constant_{i};\nassign constant_{i} = {expression};", width - 1).expect("text");
+    }
+    check(&(text + "endmodule\n"), &[]);
+}
