@@ -1,11 +1,10 @@
 //! Our waveforms in the hands of others: `wellen`, `vcd2fst`, `fst2vcd` and GTKWave itself.
 
 use std::io::Cursor;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 use proptest::prelude::*;
-use stepwright::golden::{Signals, Waveform, compare, read, read_golden};
+use stepwright::golden::{Signals, Waveform, compare, read};
 use stepwright::trace::{Plan, SaveFile};
 
 use super::tools;
@@ -117,60 +116,5 @@ fn gtkwave_shows_every_row_of_a_save_file() {
         let output = tools::run(folder.path(), "sh", &[check, dump, "run.gtkw"]);
         let said = String::from_utf8_lossy(&output.stdout);
         assert!(said.contains(&format!("GTKWave shows all {} rows", trace.signals.len())), "{said}");
-    }
-}
-
-/// The files of one kind below a folder of the repository; none when the folder is not there.
-fn shipped(folder: &str, ending: &str) -> Vec<PathBuf> {
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
-    let mut found = Vec::new();
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).into_iter().flatten() {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|found| found == ending) {
-                found.push(path);
-            }
-        }
-    }
-    found.sort();
-    found
-}
-
-#[test]
-fn every_golden_survives_vcd2fst_and_fst2vcd() {
-    if !tools::present(&["vcd2fst", "fst2vcd"]) {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    for golden in shipped("traces", "vcd") {
-        let name = golden.display().to_string();
-        let ours = read_golden(&name, &std::fs::read(&golden).expect("a golden")[..]).expect("a whole golden");
-        tools::run(folder.path(), "vcd2fst", &[&name, "converted.fst"]);
-        let comparison = compare(&ours, &by_fst2vcd(folder.path(), "converted.fst"), Signals::All);
-        assert!(comparison.is_equal(), "{name}: {comparison}");
-    }
-}
-
-#[test]
-fn gtkwave_shows_every_row_of_every_scenario() {
-    if !tools::present(&["gtkwave", "xvfb-run", "xauth"]) {
-        return;
-    }
-    let folder = tempfile::tempdir().expect("a folder");
-    let check = concat!(env!("CARGO_MANIFEST_DIR"), "/.ci/gtkwave_check");
-    for scenario in shipped("circuits", "toml") {
-        let name = scenario.display().to_string();
-        // The rows are the same however long it runs.
-        let arguments = ["run", &name, "--ticks", "20", "--vcd", "run.vcd", "--gtkw", "run.gtkw"];
-        // Exit status 1 tells of an expectation that so short a run misses.
-        let ran = Command::new(env!("CARGO_BIN_EXE_stepwright")).args(arguments).current_dir(folder.path()).output();
-        let ran = ran.expect("the program runs");
-        assert!(matches!(ran.status.code(), Some(0 | 1)), "{name}: {}", String::from_utf8_lossy(&ran.stderr));
-        tools::run(folder.path(), "sh", &[check, "run.vcd", "run.gtkw"]);
-        for file in ["run.vcd", "run.gtkw"] {
-            std::fs::remove_file(folder.path().join(file)).expect("a file of this scenario");
-        }
     }
 }
