@@ -8,10 +8,14 @@ mod converters;
 mod engines;
 /// Random circuits and stimuli.
 mod generate;
+/// Circuits as text.
+mod netlist;
 mod outside;
 mod simulation;
 /// The linear interpolator of SU 1522157 and its multiplexer.
 mod su1522157;
 mod sweep;
+/// What several concerns need.
+mod support;
 mod tidy;
 mod us3809868;

@@ -84,8 +84,14 @@ impl Diagnostic {
 /// The name most like `wrong`, when one is near enough to be a slip.
 pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let scored = names.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name));
-    scored.filter(|(score, _)| *score > 0.75).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, name)| name)
+    scored
+        .filter(|(score, _)| *score > 0.75)
+        .max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| b.1.cmp(a.1)))
+        .map(|(_, name)| name)
 }
+
+/// Bytes of a line beyond which a message does not show it.
+const LONG_LINE: usize = 1000;
 
 /// The texts that spans point into.
 #[derive(Clone, Debug, Default)]
@@ -110,6 +116,17 @@ impl Sources {
     /// All texts with their names, in the order they were added.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Arc<str>)> {
         self.texts.iter().map(|(name, text)| (name.as_str(), text))
+    }
+
+    /// Whether the lines of a span are too long to be shown.
+    fn is_unwieldy(&self, span: Span) -> bool {
+        let text = self.get(span.source).1.as_bytes();
+        let range = span.range();
+        let (before, after) = (&text[..range.start.min(text.len())], &text[range.end.min(text.len())..]);
+        let is_long = |length: Option<usize>, rest: usize| length.unwrap_or(rest) > LONG_LINE;
+        range.len() > LONG_LINE
+            || is_long(before.iter().rev().take(LONG_LINE + 1).position(|&b| b == b'\n'), before.len())
+            || is_long(after.iter().take(LONG_LINE + 1).position(|&b| b == b'\n'), after.len())
     }
 
     /// `file:line:column` of the start of a span, counted from 1.
@@ -151,6 +168,10 @@ impl Report {
         let config = term::Config::default();
         let mut text = String::new();
         for diagnostic in &self.diagnostics {
+            if diagnostic.labels.iter().any(|(span, _)| self.sources.is_unwieldy(*span)) {
+                text.push_str(&self.plain(diagnostic));
+                continue;
+            }
             let shown = shown(diagnostic);
             let written = if color {
                 let mut buffer = term::termcolor::Ansi::new(Vec::new());
@@ -162,10 +183,22 @@ impl Report {
             };
             // A span outside its text would be our own mistake; the message is still worth showing.
             if written.is_err() {
-                text.push_str(&format!("error[{}]: {}\n", diagnostic.code, diagnostic.message));
+                text.push_str(&self.plain(diagnostic));
             }
         }
         text
+    }
+
+    /// A diagnostic without the lines of its texts.
+    fn plain(&self, diagnostic: &Diagnostic) -> String {
+        let mut text = format!("error[{}]: {}\n", diagnostic.code, diagnostic.message);
+        for (span, label) in &diagnostic.labels {
+            text.push_str(&format!("  --> {}: {label}\n", self.sources.place(*span)));
+        }
+        for line in &diagnostic.help {
+            text.push_str(&format!("  = help: {line}\n"));
+        }
+        text + "\n"
     }
 }
 

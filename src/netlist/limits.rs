@@ -2,6 +2,8 @@
 
 /// Bytes of one circuit file.
 pub(super) const TEXT_BYTES: usize = 64 << 20;
+/// Letters of a name.
+pub(super) const NAME_BYTES: usize = 1024;
 /// Errors listed in one run.
 pub(super) const ERRORS: usize = 60;
 /// Operators, brackets and concatenations inside one another.
@@ -15,6 +17,6 @@ pub(super) const MODULE_DEPTH: u32 = 64;
 /// Bits of one concatenation.
 pub(super) const CONCATENATION_BITS: u32 = 1 << 12;
 /// Nets, cells, module instances and pieces of connections, as written out by parameters and `for`.
-pub(super) const PARTS: u64 = 2_000_000;
+pub(super) const PARTS: u64 = 1_000_000;
 /// Bits of all nets of the whole circuit.
 pub(super) const BITS: u64 = 16_000_000;

@@ -62,10 +62,10 @@ impl Loader {
                 return None;
             }
         };
-        if self.is_recursive(&modules, top) {
+        if self.is_recursive(&modules, &files[..main]) {
             return None;
         }
-        let templates = elaborate::elaborate(&modules, top, parameters, &mut self.errors);
+        let templates = elaborate::elaborate(&modules, top, &files[..main], parameters, &mut self.errors);
         if !self.errors.is_empty() {
             return None;
         }
@@ -121,12 +121,23 @@ impl Loader {
         modules
     }
 
-    /// Whether a module in reach of `top` stands, at some depth, in itself.
-    fn is_recursive<'t>(&mut self, modules: &Modules<'t>, top: &'t Module) -> bool {
-        let mut open: Vec<(&'t Module, Vec<(Box<str>, Span)>)> = vec![(top, instances(top))];
+    /// Whether a module in reach of the file stands, at some depth, in itself.
+    fn is_recursive<'t>(&mut self, modules: &Modules<'t>, file: &'t [Module]) -> bool {
+        let before = self.errors.count;
         // Modules seen; `false` once all inside them is.
-        let mut state: HashMap<&str, bool> = HashMap::from([(&*top.name.text, true)]);
-        let mut found = false;
+        let mut state = HashMap::new();
+        for module in file {
+            self.recursion_from(module, modules, &mut state);
+        }
+        self.errors.count > before
+    }
+
+    fn recursion_from<'t>(&mut self, from: &'t Module, modules: &Modules<'t>, state: &mut HashMap<&'t str, bool>) {
+        if state.insert(&from.name.text, true).is_some() {
+            state.insert(&from.name.text, false);
+            return;
+        }
+        let mut open = vec![(from, instances(from))];
         while let Some((module, left)) = open.last_mut() {
             let Some((name, span)) = left.pop() else {
                 state.insert(&module.name.text, false);
@@ -140,14 +151,12 @@ impl Loader {
                     open.push((inner, instances(inner)));
                 }
                 Some(true) => {
-                    found = true;
                     let way: Vec<_> = open.iter().map(|(module, _)| &*module.name.text).collect();
                     self.errors.push(recursion(&name, span, &way));
                 }
                 Some(false) => {}
             }
         }
-        found
     }
 }
 
@@ -208,12 +217,16 @@ fn choose_top<'m>(name: &str, top: Option<&str>, modules: &'m [Module]) -> Resul
         [module] => Ok(module),
         _ => {
             let list: Vec<_> = outer.iter().map(|module| &*module.name.text).collect();
-            let mut diagnostic = Diagnostic::new("N027", format!("{name} has no one top module"));
+            let mut diagnostic = Diagnostic::new("N027", format!("which module of {name} is the top?"));
             for module in outer.iter().take(10) {
                 diagnostic = diagnostic.at(module.name.span, "instantiated by none");
             }
-            let help = format!("name the file as the top module, `{stem}`; or choose one of: {}", list.join(", "));
-            Err(diagnostic.help(help))
+            diagnostic = diagnostic.help(format!("call the top module as the file: `{stem}`"));
+            Err(if list.is_empty() {
+                diagnostic
+            } else {
+                diagnostic.help(format!("or name one of: {}", list.join(", ")))
+            })
         }
     }
 }

@@ -91,7 +91,7 @@ impl Bits {
             loop {
                 let at = self.first.partition_point(|&first| first <= bit) - 1;
                 let (net, low) = (&netlist.nets[at], (bit - self.first[at]) as u32);
-                if !told.insert((net.scope, at)) {
+                if !told.insert(bit) {
                     break;
                 }
                 let drive = net.drives.iter().find(|drive| (drive.low..drive.low + drive.width).contains(&low));

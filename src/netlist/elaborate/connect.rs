@@ -45,7 +45,9 @@ impl Inside<'_, '_, '_> {
                 let diagnostic = Diagnostic::new("N010", format!("`{name}` is an instance, not a net"));
                 Err(diagnostic.at(expr.span, "a net is wanted").help("connect its output to a net and use that"))
             }
-            Some(_) => constant_bits(expr, evaluate(&self.names, expr)?),
+            Some(Meaning::Constant(_) | Meaning::Genvar | Meaning::Wrong) => {
+                constant_bits(expr, evaluate(&self.names, expr)?)
+            }
             None => Err(unknown(&self.names, name, expr.span)),
         }
     }
@@ -162,11 +164,11 @@ impl Inside<'_, '_, '_> {
 fn append(bits: &mut Bits, piece: Piece) {
     if let (Some(Piece::Net { net: last, low, width }), Piece::Net { net, low: next, width: more }) =
         (bits.last_mut(), piece)
+        && *last == net
+        && *low + *width == next
     {
-        if *last == net && *low + *width == next {
-            *width += more;
-            return;
-        }
+        *width += more;
+        return;
     }
     bits.push(piece);
 }
@@ -197,7 +199,10 @@ pub(super) fn mismatch(span: Span, given: u32, wanted: u32) -> Diagnostic {
     let message = format!("{} given, {wanted} wanted", bit_count(given));
     let diagnostic = Diagnostic::new("N009", message).at(span, bit_count(given));
     diagnostic.help(if given > wanted {
-        format!("select the bits that are meant, as in `x[{}:0]`", wanted.saturating_sub(1))
+        match wanted {
+            1 => "select the bit that is meant, as in `x[0]`".to_owned(),
+            _ => format!("select the bits that are meant, as in `x[{}:0]`", wanted - 1),
+        }
     } else {
         format!("widen it, with zeros: `{{{}'d0, x}}`", wanted - given)
     })

@@ -9,8 +9,7 @@ pub(super) struct Shape {
     /// 1 to 64.
     pub(super) width: u32,
     pub(super) signed: bool,
-    /// Whether the width is written, and not just the 32 bits of a number without one. Tools disagree on whether
-    /// an unsized result may grow, so one that would have to is an error here.
+    /// Whether the width is written, and not just the 32 bits of a number without one.
     pub(super) sized: bool,
 }
 
@@ -75,7 +74,7 @@ impl Const {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Undefined {
     DivisionByZero,
-    /// An unsized result beyond its bits.
+    /// A result beyond its bits.
     Overflow,
 }
 
@@ -98,47 +97,41 @@ fn arithmetic(op: Binary, a: i128, b: i128) -> Result<i128, Undefined> {
         Binary::Divide => Ok(a / b),
         Binary::Modulo => Ok(a % b),
         Binary::Subtract => Ok(a - b),
-        // Two 64-bit unsigned words overflow i128 as a signed product; the low bits are right all the same.
-        Binary::Multiply => Ok(a.wrapping_mul(b)),
+        Binary::Multiply => a.checked_mul(b).ok_or(Undefined::Overflow),
         _ => Ok(a + b),
     }
 }
 
-/// A number in a shape: cut to a written width, refused by an unwritten one.
-pub(super) fn wrap(value: i128, shape: Shape) -> Result<Const, Undefined> {
-    match encode(value, shape.width, shape.signed) {
-        Some(word) => Ok(Const { word, shape }),
-        None if shape.sized => Ok(Const { word: value as u64 & mask(shape.width), shape }),
-        None => Err(Undefined::Overflow),
+/// A number in a shape that can hold it. Tools disagree on whether a result is cut or grows when it cannot.
+fn wrap(value: i128, shape: Shape) -> Result<Const, Undefined> {
+    encode(value, shape.width, shape.signed).map(|word| Const { word, shape }).ok_or(Undefined::Overflow)
+}
+
+/// The negative in two's complement, which an unsigned word has too.
+pub(super) fn negate(a: Const) -> Result<Const, Undefined> {
+    let shape = a.shape;
+    if shape.signed {
+        wrap(-a.number(), shape)
+    } else {
+        Ok(Const { word: a.word.wrapping_neg() & mask(shape.width), shape })
     }
 }
 
 /// `base ** exponent` (IEEE 1364-2005, table 5-6) in the shape of the base.
 pub(super) fn power(base: Const, exponent: i128) -> Result<Const, Undefined> {
     let (number, shape) = (base.number(), base.shape);
-    match (number, exponent) {
-        (0, ..0) => Err(Undefined::DivisionByZero),
-        (_, 0) | (1, _) => wrap(1, shape),
-        (-1, _) => wrap(if exponent % 2 == 0 { 1 } else { -1 }, shape),
-        (_, ..0) | (0, _) => wrap(0, shape),
-        _ if shape.sized => Ok(Const { word: wrapping_power(base.word, exponent as u64) & mask(shape.width), shape }),
+    let value = match (number, exponent) {
+        (0, ..0) => return Err(Undefined::DivisionByZero),
+        (_, 0) | (1, _) => 1,
+        (-1, _) if exponent % 2 == 0 => 1,
+        (-1, _) => -1,
+        (_, ..0) | (0, _) => 0,
         _ => {
             let exact = u32::try_from(exponent).ok().and_then(|exponent| number.checked_pow(exponent));
-            exact.ok_or(Undefined::Overflow).and_then(|value| wrap(value, shape))
+            exact.ok_or(Undefined::Overflow)?
         }
-    }
-}
-
-fn wrapping_power(base: u64, exponent: u64) -> u64 {
-    let (mut result, mut square, mut left) = (1_u64, base, exponent);
-    while left > 0 {
-        if left & 1 == 1 {
-            result = result.wrapping_mul(square);
-        }
-        square = square.wrapping_mul(square);
-        left >>= 1;
-    }
-    result
+    };
+    wrap(value, shape)
 }
 
 /// A shift of `a` by `amount` bits.

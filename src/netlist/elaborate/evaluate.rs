@@ -1,9 +1,10 @@
 //! Constant expressions, by Verilog's rules (IEEE 1364-2005, 5.4): widths and signs go up, then down again with values.
 
-use super::constant::{Const, Shape, Undefined, combine, compare, power, shift, wrap};
+use super::constant::{Const, Shape, Undefined, combine, compare, negate, power, shift};
 use super::names::{Meaning, Names};
 use crate::base::word::{MAX_WIDTH, clog2, mask};
 use crate::base::{Diagnostic, Span};
+use crate::netlist::errors::FOLLOWS;
 use crate::netlist::syntax::{Binary, Expr, ExprKind, Unary};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -91,6 +92,7 @@ fn constant(names: &Names<'_>, name: &str, span: Span) -> Result<Const> {
         Some(Meaning::Instance) => {
             Err(Diagnostic::new("N020", format!("`{name}` is an instance")).at(span, "no value"))
         }
+        Some(Meaning::Wrong) => Err(Diagnostic::new(FOLLOWS, "a wrong name")),
         None => Err(unknown(names, name, span)),
     }
 }
@@ -198,7 +200,7 @@ fn finish(pending: Pending, to: Shape) -> Result<Const> {
             let inside = finish(*inside, to)?;
             return Ok(Const { word: !inside.word & mask(to.width), shape: to });
         }
-        Step::Negate(inside) => wrap(-finish(*inside, to)?.number(), to),
+        Step::Negate(inside) => negate(finish(*inside, to)?),
         Step::Combine(op, both) => {
             let [a, b] = *both;
             combine(op, finish(a, to)?, finish(b, to)?)
@@ -250,7 +252,7 @@ fn undefined(why: Undefined, shape: Shape, span: Span) -> Diagnostic {
     match why {
         Undefined::DivisionByZero => error(span, "a division by zero"),
         Undefined::Overflow => error(span, format!("the value is beyond the {} bits of this expression", shape.width))
-            .help("numbers without a size have 32 bits: give one of them a size, as in `64'd1 << 40`"),
+            .help("give one of its numbers a larger size, as in `64'd1 << 40`; without one it has 32 bits"),
     }
 }
 

@@ -76,8 +76,8 @@ struct Header<'t> {
 impl<'t> Header<'t> {
     fn parameter(&mut self, parameter: &'t Parameter, overrides: &[Override<'t>]) -> Result<()> {
         let value = parameter_value(&self.names, parameter, overrides);
-        let shown = *value.as_ref().unwrap_or(&Const::integer(0));
-        self.names.declare(&parameter.name, Meaning::Constant(shown))?;
+        let meaning = value.as_ref().map_or(Meaning::Wrong, |value| Meaning::Constant(*value));
+        self.names.declare(&parameter.name, meaning)?;
         if !parameter.local {
             self.template.parameters.push((parameter.name.text.to_string(), as_i64(value?, &parameter.name)?));
         }
@@ -86,7 +86,10 @@ impl<'t> Header<'t> {
 
     fn port(&mut self, port: &'t Port) -> Result<()> {
         let place = self.template.nets.len() as u32;
-        let mut net = net(&self.names, &port.name, &port.net_type)?;
+        let mut net = match net(&self.names, &port.name, &port.net_type) {
+            Ok(net) => net,
+            Err(error) => return self.names.declare(&port.name, Meaning::Wrong).and(Err(error)),
+        };
         net.port = Some(port.direction);
         net.is_clock = *port.name.text == *"clk";
         if net.is_clock && (port.direction == Direction::Output || net.is_vector) {
@@ -145,7 +148,11 @@ fn bounds(names: &Names<'_>, range: &Range) -> Result<(i64, u32)> {
     let (msb, lsb) = (number(names, &range.msb)?, number(names, &range.lsb)?);
     if msb < lsb {
         let diagnostic = Diagnostic::new("N028", format!("the range [{msb}:{lsb}] runs upwards"));
-        let help = format!("write the highest bit first, as in [{lsb}:{msb}]; a width of 0 is no width");
+        let help = if msb == lsb.saturating_sub(1) {
+            "a word has at least one bit".to_owned()
+        } else {
+            format!("write the highest bit first, as in [{lsb}:{msb}]")
+        };
         return Err(diagnostic.at(range.span, "here").help(help));
     }
     let width = i128::from(msb) - i128::from(lsb) + 1;

@@ -13,14 +13,15 @@ use crate::netlist::syntax::{Expr, For, Item, Name, NetType, Parameter};
 
 /// Elaborates what stands in a module whose header is done.
 pub(super) fn elaborate<'t>(elaborator: &mut Elaborator<'_, 't>, waiting: Waiting<'t>) {
-    let Waiting { id, names, overrides } = waiting;
+    let Waiting { id, names, overrides, unsure } = waiting;
     // The template is put back below; nobody looks at the inside of one in between.
     let ports = &elaborator.templates[id.index()];
     let (module, damaged) = (ports.module, ports.module.damaged);
     let stand_in = header::empty(module);
     let template = std::mem::replace(&mut elaborator.templates[id.index()], stand_in);
     let scope_parameters = template.parameters.clone();
-    let mut inside = Inside { elaborator, template, names, overrides, scope: 0, unnamed: 0, damaged, unsure: damaged };
+    let mut inside =
+        Inside { elaborator, template, names, overrides, scope: 0, unnamed: 0, damaged, unsure: unsure || damaged };
     inside.template.scopes[0].parameters = scope_parameters;
     inside.items(&module.items);
     inside.check_drives();
@@ -87,7 +88,9 @@ impl<'t> Inside<'_, '_, 't> {
 
     fn parameter(&mut self, parameter: &'t Parameter) {
         let value = header::parameter_value(&self.names, parameter, &self.overrides);
-        let value = self.keep(value).unwrap_or(Const::integer(0));
+        let Some(value) = self.keep(value) else {
+            return self.declare(&parameter.name, Meaning::Wrong);
+        };
         self.declare(&parameter.name, Meaning::Constant(value));
         if parameter.local {
             return;
@@ -110,7 +113,7 @@ impl<'t> Inside<'_, '_, 't> {
             // A net that could not be declared still has its name, so that its uses are not reported too.
             None => {
                 self.unsure = true;
-                return self.declare(name, Meaning::Instance);
+                return self.declare(name, Meaning::Wrong);
             }
         };
         if *name.text == *"clk" {
@@ -160,7 +163,7 @@ impl<'t> Inside<'_, '_, 't> {
         };
         let mut seen = HashSet::new();
         loop {
-            if !seen.insert(value) || seen.len() > limits::TURNS {
+            if !seen.insert(value) || seen.len() > limits::TURNS + 1 {
                 return self.endless(one, value, seen.len());
             }
             match self.turn(one, value) {
@@ -219,7 +222,7 @@ impl<'t> Inside<'_, '_, 't> {
     fn endless(&mut self, one: &For, value: i64, turns: usize) {
         self.unsure = true;
         let span: Span = one.condition.span;
-        let message = if turns > limits::TURNS {
+        let message = if turns > limits::TURNS + 1 {
             format!("this `for` has more than {} turns", limits::TURNS)
         } else {
             format!("this `for` comes back to {} = {value} and never ends", one.genvar.text)

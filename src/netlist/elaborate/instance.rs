@@ -1,33 +1,19 @@
-//! Instances: of blocks, of modules, and gates.
+//! Instances of blocks and of modules.
 
-use std::collections::HashMap;
 use std::rc::Rc;
+use std::sync::Arc;
 
-use super::connect::{Bits, bit_count, mismatch, width};
+use super::connect::Bits;
 use super::evaluate::{evaluate, number};
 use super::inside::Inside;
 use super::names::Meaning;
+use super::ports::PortPlace;
 use super::template::{LocalCell, LocalInstance, LocalSource, Override, PortKind};
 use crate::base::word::MAX_WIDTH;
 use crate::base::{Diagnostic, Span};
-use crate::blocks::{self, Block, Description, Direction, Gate, Parameters, PortDescription};
+use crate::blocks::{self, Block, Body, Description, Direction, Parameters, PortDescription};
 use crate::netlist::checked::CellKind;
-use crate::netlist::syntax::{Connection, Expr, ExprKind, GateInstance, Instance, Module, Name};
-
-/// Connections of one instance that no port has taken yet.
-type Open<'t> = HashMap<&'t str, &'t Connection>;
-
-/// A port as a connection sees it.
-struct PortPlace<'a> {
-    name: &'a str,
-    /// For messages: `summer.sum`.
-    owner: &'a str,
-    width: u32,
-    /// Where it is declared, if that is in a text.
-    declared: Option<Span>,
-    /// How its width comes about, if that is more than a number.
-    formula: Option<String>,
-}
+use crate::netlist::syntax::{Connection, Expr, Instance, Module, Name};
 
 impl<'t> Inside<'_, '_, 't> {
     pub(super) fn instance(&mut self, instance: &'t Instance) {
@@ -39,30 +25,17 @@ impl<'t> Inside<'_, '_, 't> {
             self.module_instance(module, instance);
         } else {
             self.unsure = true;
-            let name = &instance.module;
-            let registry = blocks::REGISTRY.iter().map(|block| block.description().name);
-            let known = registry.chain(self.elaborator.modules.keys().copied());
-            let diagnostic = Diagnostic::new("N012", format!("there is no block or module `{}`", name.text))
-                .at(name.span, "unknown")
-                .nearest(&name.text, known)
-                .help(format!(
-                    "a module of its own file stands in `{}.v`; blocks: `stepwright list blocks`",
-                    name.text
-                ));
-            self.report(diagnostic);
+            self.report(self.unknown_module(&instance.module));
         }
     }
 
-    /// The connections by name; a name twice is an error.
-    fn open(&mut self, list: &'t [Connection], what: &str) -> Open<'t> {
-        let mut open = Open::new();
-        for connection in list {
-            if let Some(first) = open.insert(&connection.name.text, connection) {
-                let diagnostic = Diagnostic::new("N011", format!("{what} `{}` is given twice", connection.name.text));
-                self.report(diagnostic.at(connection.span, "again here").at(first.span, "first here"));
-            }
-        }
-        open
+    fn unknown_module(&self, name: &Name) -> Diagnostic {
+        let registry = blocks::REGISTRY.iter().map(|block| block.description().name);
+        let known = registry.chain(self.elaborator.modules.keys().copied());
+        Diagnostic::new("N012", format!("there is no block or module `{}`", name.text))
+            .at(name.span, "unknown")
+            .nearest(&name.text, known)
+            .help(format!("a module of its own file stands in `{}.v`; blocks: `stepwright list blocks`", name.text))
     }
 
     fn block_instance(&mut self, block: &'static dyn Block, instance: &'t Instance) {
@@ -103,14 +76,8 @@ impl<'t> Inside<'_, '_, 't> {
         );
     }
 
-    fn cell(
-        &mut self,
-        name: String,
-        kind: CellKind,
-        inputs: Vec<Bits>,
-        body: std::sync::Arc<blocks::Body>,
-        span: Span,
-    ) {
+    /// Adds a cell to the template.
+    pub(super) fn cell(&mut self, name: String, kind: CellKind, inputs: Vec<Bits>, body: Arc<Body>, span: Span) {
         self.template.cells.push(LocalCell { scope: self.scope, name, kind, inputs, body, span });
     }
 
@@ -128,15 +95,12 @@ impl<'t> Inside<'_, '_, 't> {
         if !good {
             return None;
         }
-        block
-            .check(&parameters)
-            .map_err(|why| {
-                let diagnostic =
-                    Diagnostic::new("N015", format!("`{}` refuses its parameters: {why}", description.name));
-                let values: Vec<_> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-                self.report(diagnostic.at(instance.name.span, "at this instance").help(values.join(", ")));
-            })
-            .ok()?;
+        if let Err(why) = block.check(&parameters) {
+            let diagnostic = Diagnostic::new("N015", format!("`{}` refuses its parameters: {why}", description.name));
+            let values: Vec<_> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            self.report(diagnostic.at(instance.name.span, "at this instance").help(values.join(", ")));
+            return None;
+        }
         Some(parameters)
     }
 
@@ -237,145 +201,6 @@ impl<'t> Inside<'_, '_, 't> {
             }
         }
         good.then_some(overrides)
-    }
-
-    /// Checks that a clock port gets the clock.
-    fn clock(&mut self, connection: Option<&Connection>, instance: &Name, module: &str) {
-        let value = connection.and_then(|connection| connection.value.as_ref());
-        let is_clock = value.is_some_and(|expr| match &expr.kind {
-            ExprKind::Name(name) => match self.names.find(name) {
-                Some(Meaning::Net(net)) => self.template.nets[net as usize].is_clock,
-                _ => false,
-            },
-            _ => false,
-        });
-        if !is_clock {
-            let message = format!("`{module}` holds state and wants the clock");
-            let place = connection.map_or(instance.span, |connection| connection.span);
-            let diagnostic = Diagnostic::new("N023", message).at(place, "`.clk(clk)` wanted here");
-            self.report(
-                diagnostic.help("there is one clock: `input wire clk` in the header, `.clk(clk)` at the instance"),
-            );
-        }
-    }
-
-    /// The bits that an input port gets.
-    fn input(&mut self, port: &PortPlace<'_>, connection: Option<&'t Connection>, instance: &Name) -> Option<Bits> {
-        let Some(value) = connection.and_then(|connection| connection.value.as_ref()) else {
-            let diagnostic = Diagnostic::new("N016", format!("the input `{}` of `{}` is open", port.name, port.owner));
-            let place = connection.map_or(instance.span, |connection| connection.span);
-            let help = format!("connect it; to a constant if it is not used: `.{}({}'d0)`", port.name, port.width);
-            self.report(diagnostic.at(place, format!("`{}` has nothing", port.name)).help(help));
-            return None;
-        };
-        let bits = self.bits(value);
-        let bits = self.keep(bits)?;
-        self.elaborator.count_parts(bits.len() as u64, value.span);
-        self.same_width(port, value, width(&bits)).then_some(bits)
-    }
-
-    /// Connects an output port, which may be left open.
-    fn output(&mut self, port: &PortPlace<'_>, connection: Option<&'t Connection>, source: LocalSource) {
-        let Some(value) = connection.and_then(|connection| connection.value.as_ref()) else { return };
-        let target = self.target(value);
-        let Some(target) = self.keep(target) else {
-            self.unsure = true;
-            return;
-        };
-        let wanted = width(&target);
-        let source = if self.same_width(port, value, wanted) { source } else { LocalSource::Wrong };
-        self.drive(&target, &[(source, wanted)], value.span);
-    }
-
-    fn same_width(&mut self, port: &PortPlace<'_>, value: &Expr, given: u32) -> bool {
-        if given == port.width {
-            return true;
-        }
-        let mut diagnostic = mismatch(value.span, given, port.width);
-        diagnostic.message = format!(
-            "`{}.{}` has {}, but is connected to {}",
-            port.owner,
-            port.name,
-            bit_count(port.width),
-            bit_count(given)
-        );
-        if let Some(declared) = port.declared {
-            diagnostic = diagnostic.at(declared, bit_count(port.width));
-        }
-        if let Some(formula) = &port.formula {
-            diagnostic = diagnostic.help(format!("the width of `{}` is {formula} = {}", port.name, port.width));
-        }
-        self.report(diagnostic);
-        false
-    }
-
-    fn unknown_ports(&mut self, open: Open<'t>, owner: &str, names: &[&str], declared: Option<Span>) {
-        let mut left: Vec<_> = open.into_values().collect();
-        left.sort_by_key(|connection| connection.span);
-        for connection in left {
-            let name = &*connection.name.text;
-            let message = format!("`{owner}` has no port `{name}`");
-            let mut diagnostic = Diagnostic::new("N013", message).at(connection.span, "unknown");
-            if let Some(span) = declared {
-                diagnostic = diagnostic.at(span, "the module");
-            }
-            diagnostic = if name == "clk" {
-                diagnostic.help(format!("`{owner}` holds no state and has no clock: leave `.clk` out"))
-            } else {
-                diagnostic.nearest(name, names.iter().copied()).help(format!("its ports: {}", names.join(", ")))
-            };
-            self.unsure = true;
-            self.report(diagnostic);
-        }
-    }
-
-    pub(super) fn gate(&mut self, gate: &'t GateInstance) {
-        self.elaborator.count_parts(1 + gate.terminals.len() as u64, gate.span);
-        let name = match &gate.name {
-            Some(name) => {
-                self.declare(name, Meaning::Instance);
-                name.text.to_string()
-            }
-            None => {
-                self.unnamed += 1;
-                format!("{}_unnamed_{}", gate.gate.keyword(), self.unnamed)
-            }
-        };
-        let [output, inputs @ ..] = &gate.terminals[..] else { return };
-        let single = matches!(gate.gate, Gate::Buf | Gate::Not);
-        if inputs.is_empty() || (single && inputs.len() > 1) {
-            let keyword = gate.gate.keyword();
-            let wanted = if single { "just one input" } else { "at least one input" };
-            let diagnostic = Diagnostic::new("N017", format!("`{keyword}` has {wanted}, here {}", inputs.len()));
-            let example = if single { "out, a" } else { "out, a, b" };
-            self.report(
-                diagnostic.at(gate.span, "this gate").help(format!("output first: `{keyword} g_1 ({example});`")),
-            );
-            self.unsure = true;
-            return;
-        }
-        let keyword = gate.gate.keyword();
-        let place = |name| PortPlace { name, owner: keyword, width: 1, declared: None, formula: None };
-        let bits: Vec<_> = inputs.iter().map(|input| self.terminal(&place("input"), input)).collect();
-        let target = self.target(output);
-        let Some(target) = self.keep(target) else {
-            self.unsure = true;
-            return;
-        };
-        let wanted = width(&target);
-        let good = self.same_width(&place("output"), output, wanted);
-        let cell = LocalSource::Cell { cell: self.template.cells.len() as u32, output: 0, low: 0 };
-        self.drive(&target, &[(if good { cell } else { LocalSource::Wrong }, wanted)], output.span);
-        let body = self.elaborator.gate(gate.gate, inputs.len());
-        let span = gate.name.as_ref().map_or(gate.span, |name| name.span);
-        let inputs = bits.into_iter().map(Option::unwrap_or_default).collect();
-        self.cell(name, CellKind::Gate(gate.gate), inputs, body, span);
-    }
-
-    fn terminal(&mut self, place: &PortPlace<'_>, expr: &Expr) -> Option<Bits> {
-        let bits = self.bits(expr);
-        let bits = self.keep(bits)?;
-        self.same_width(place, expr, width(&bits)).then_some(bits)
     }
 }
 

@@ -4,13 +4,15 @@ mod connect;
 mod constant;
 mod drives;
 mod evaluate;
+mod gate;
 mod header;
 mod inside;
 mod instance;
 mod names;
+mod ports;
 mod template;
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::{HashMap, HashSet, VecDeque};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -28,10 +30,12 @@ use crate::blocks::{Block, Body, Builder, Gate, Parameters};
 /// All modules in reach, by name.
 pub(super) type Modules<'t> = HashMap<&'t str, &'t Module>;
 
-/// Elaborates `top` and all it instantiates; the first template is the top's.
+/// Elaborates `top` and all it instantiates; the first template is the top's. Of `others`, those that `top` has no
+/// use for are elaborated too, so that their errors are told.
 pub(super) fn elaborate<'t>(
     modules: &Modules<'t>,
     top: &'t Module,
+    others: &'t [Module],
     parameters: &'t [(String, i64)],
     errors: &mut Errors,
 ) -> Vec<Template<'t>> {
@@ -41,6 +45,7 @@ pub(super) fn elaborate<'t>(
         ports: Vec::new(),
         waiting: VecDeque::new(),
         known: HashMap::new(),
+        used: HashSet::new(),
         bodies: HashMap::new(),
         gates: HashMap::new(),
         errors,
@@ -48,20 +53,26 @@ pub(super) fn elaborate<'t>(
     };
     let given = parameters.iter().map(|(name, value)| Override { name, value: Const::integer(*value), span: None });
     elaborator.template(top, given.collect());
-    while let Some(waiting) = elaborator.waiting.pop_front() {
-        inside::elaborate(&mut elaborator, waiting);
-        if elaborator.errors.is_full() || elaborator.is_exhausted() {
-            break;
+    elaborator.run();
+    for module in others {
+        if !elaborator.used.contains(&*module.name.text) {
+            elaborator.template(module, Vec::new());
+            elaborator.run();
         }
     }
     elaborator.templates
 }
+
+/// A module's name and the parameters given to it, sorted.
+type Key<'t> = (&'t str, Vec<(&'t str, Const)>);
 
 /// A template whose header is known and whose inside is still to be elaborated.
 struct Waiting<'t> {
     id: TemplateId,
     names: Names<'t>,
     overrides: Vec<Override<'t>>,
+    /// Whether its header is wrong.
+    unsure: bool,
 }
 
 struct Elaborator<'e, 't> {
@@ -70,7 +81,10 @@ struct Elaborator<'e, 't> {
     /// The ports of each template.
     ports: Vec<Rc<[TemplatePort]>>,
     waiting: VecDeque<Waiting<'t>>,
-    known: HashMap<(&'t str, Vec<(&'t str, Const)>), Option<TemplateId>>,
+    /// Templates by what they are made of; `None` when the header is wrong.
+    known: HashMap<Key<'t>, Option<TemplateId>>,
+    /// Modules with a template.
+    used: HashSet<&'t str>,
     bodies: HashMap<(&'static str, Parameters), Arc<Body>>,
     gates: HashMap<(Gate, usize), Arc<Body>>,
     errors: &'e mut Errors,
@@ -78,6 +92,15 @@ struct Elaborator<'e, 't> {
 }
 
 impl<'t> Elaborator<'_, 't> {
+    /// Elaborates all that waits.
+    fn run(&mut self) {
+        while let Some(waiting) = self.waiting.pop_front() {
+            if !self.errors.is_full() && !self.is_exhausted() {
+                inside::elaborate(self, waiting);
+            }
+        }
+    }
+
     /// The template of a module with some of its parameters given; its inside is elaborated later. `None` when
     /// its header is wrong, which has been told.
     fn template(&mut self, module: &'t Module, overrides: Vec<Override<'t>>) -> Option<TemplateId> {
@@ -87,13 +110,15 @@ impl<'t> Elaborator<'_, 't> {
         if let Some(known) = self.known.get(&key) {
             return *known;
         }
+        self.used.insert(&module.name.text);
         let id = TemplateId::new(self.templates.len());
         let errors = self.errors.count;
         let (template, names) = header::elaborate(module, &overrides, self.errors);
         self.ports.push(template.nets.iter().map(TemplatePort::of).collect());
         self.templates.push(template);
-        self.waiting.push_back(Waiting { id, names, overrides });
-        let result = (self.errors.count == errors).then_some(id);
+        let unsure = self.errors.count > errors;
+        self.waiting.push_back(Waiting { id, names, overrides, unsure });
+        let result = (!unsure).then_some(id);
         self.known.insert(key, result);
         result
     }

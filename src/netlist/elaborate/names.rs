@@ -16,6 +16,8 @@ pub(super) enum Meaning {
     Genvar,
     /// An instance, a gate or a generate block: no expression can use it.
     Instance,
+    /// Something whose declaration is wrong, which has been told.
+    Wrong,
 }
 
 /// The names of one scope.

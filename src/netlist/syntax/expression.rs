@@ -1,7 +1,7 @@
 //! Expressions, by binding strength; depth is limited so that no text can exhaust the stack.
 
 use super::lexer::Kind;
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, shorten};
 use super::tree::{Binary, Expr, ExprKind, Name, Unary};
 use crate::base::{Diagnostic, Span};
 use crate::netlist::limits;
@@ -131,7 +131,7 @@ impl Parser<'_> {
     fn system_call(&mut self) -> Parsed<Expr> {
         let start = self.token.span;
         if self.text() != "$clog2" {
-            let construct = format!("`{}` is", self.text());
+            let construct = format!("`{}` is", shorten(self.text()));
             return self.refuse(start, &construct, "`$clog2` is the one function there is");
         }
         self.bump();

@@ -146,11 +146,11 @@ impl Parser<'_> {
         if !signed {
             self.take_word("unsigned");
         }
-        if self.token.kind == Kind::Word {
-            if let Some((construct, instead)) = refuse::net_kind(self.text()) {
-                let span = self.token.span;
-                return self.refuse(span, construct, instead);
-            }
+        if self.token.kind == Kind::Word
+            && let Some((construct, instead)) = refuse::net_kind(self.text())
+        {
+            let span = self.token.span;
+            return self.refuse(span, construct, instead);
         }
         let range = self.range()?;
         Ok(Rc::new(NetType { signed, range, fraction }))

@@ -27,15 +27,40 @@ pub(super) struct Token {
     pub(super) span: Span,
 }
 
-/// Longest first.
-const SYMBOLS: [&str; 47] = [
-    "<<<", ">>>", "===", "!==", "**", "<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "~&", "~|", "~^", "^~", "(*",
-    "*)", "+:", "-:", "->", "(", ")", "[", "]", "{", "}", ";", ",", ".", ":", "?", "=", "+", "-", "*", "/", "%", "&",
-    "|", "^", "~", "!", "<", ">", "#",
-];
-
-/// Symbols that only constructs outside the subset use, so that these can be named and skipped.
-const FOREIGN_SYMBOLS: [&str; 2] = ["@", "'"];
+/// The symbols that begin with a byte, longest first. `@`, `#` and the bare quote stand in constructs outside the
+/// subset only, so that these can be named and skipped.
+fn symbols(first: u8) -> &'static [&'static str] {
+    match first {
+        b'<' => &["<<<", "<<", "<=", "<"],
+        b'>' => &[">>>", ">>", ">=", ">"],
+        b'=' => &["===", "==", "="],
+        b'!' => &["!==", "!=", "!"],
+        b'*' => &["**", "*)", "*"],
+        b'&' => &["&&", "&"],
+        b'|' => &["||", "|"],
+        b'~' => &["~&", "~|", "~^", "~"],
+        b'^' => &["^~", "^"],
+        b'(' => &["(*", "("],
+        b'+' => &["+:", "+"],
+        b'-' => &["-:", "->", "-"],
+        b')' => &[")"],
+        b'[' => &["["],
+        b']' => &["]"],
+        b'{' => &["{"],
+        b'}' => &["}"],
+        b';' => &[";"],
+        b',' => &[","],
+        b'.' => &["."],
+        b':' => &[":"],
+        b'?' => &["?"],
+        b'/' => &["/"],
+        b'%' => &["%"],
+        b'#' => &["#"],
+        b'@' => &["@"],
+        b'\'' => &["'"],
+        _ => &[],
+    }
+}
 
 /// Reads tokens of one text.
 pub(super) struct Lexer<'t> {
@@ -172,7 +197,7 @@ impl<'t> Lexer<'t> {
         self.error(
             "N004",
             start,
-            "escaped names are outside the subset",
+            "an escaped name is outside the structural subset",
             "name it with letters, digits and `_` only, so that every waveform viewer shows it",
         );
         Kind::Word
@@ -180,7 +205,7 @@ impl<'t> Lexer<'t> {
 
     fn symbol(&mut self) -> Option<Kind> {
         let rest = self.rest();
-        let symbol = SYMBOLS.iter().chain(&FOREIGN_SYMBOLS).find(|symbol| rest.starts_with(**symbol))?;
+        let symbol = symbols(*rest.as_bytes().first()?).iter().find(|symbol| rest.starts_with(**symbol))?;
         self.at += symbol.len();
         Some(Kind::Symbol(symbol))
     }
@@ -219,7 +244,7 @@ impl<'t> Lexer<'t> {
             self.at = size_end;
             if self.real_follows() {
                 self.skip_while(|byte| is_word(byte) || byte == b'.');
-                self.error("N004", start, "real numbers are outside the subset", "write a whole number");
+                self.error("N004", start, "a real number is outside the structural subset", "write a whole number");
                 return Kind::Number(Literal { value: 0, width: None, signed: true });
             }
             number::plain(&self.text[start..size_end])

@@ -1,7 +1,9 @@
 //! From text to syntax tree: lexer, numbers, parser.
 
 mod expression;
+mod generate;
 mod header;
+mod instance;
 mod item;
 mod lexer;
 mod number;

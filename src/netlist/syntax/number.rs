@@ -27,7 +27,7 @@ pub(super) fn plain(digits: &str) -> Result<Literal, Refused> {
     let value = value_of(digits, 10)?;
     if value > i64::from(i32::MAX).unsigned_abs() {
         return refused(
-            format!("the number {digits} is beyond the 32 bits of a number without a size"),
+            format!("the number {value} is beyond the 32 bits of a number without a size"),
             format!("give it a size: `64'd{value}`"),
         );
     }
@@ -59,7 +59,7 @@ fn width_of(size: &str) -> Result<u32, Refused> {
     let width = value_of(size, 10).ok().and_then(|width| u32::try_from(width).ok());
     match width {
         Some(width) if (1..=MAX_WIDTH).contains(&width) => Ok(width),
-        _ => refused(format!("a number of {size} bits"), "a size is 1 to 64"),
+        _ => refused("a number of no bits or too many", "a size is 1 to 64"),
     }
 }
 

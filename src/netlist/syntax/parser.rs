@@ -5,6 +5,7 @@ use super::refuse;
 use super::tree::{Module, Name};
 use crate::base::{Diagnostic, SourceId, Span};
 use crate::netlist::errors::Errors;
+use crate::netlist::limits;
 
 /// An error that has been noted already.
 #[derive(Clone, Copy, Debug)]
@@ -89,6 +90,10 @@ impl<'t> Parser<'t> {
             return self.expected(&format!("the name of {of_what} (`{text}` is a keyword)"));
         }
         let span = self.bump().span;
+        if text.len() > limits::NAME_BYTES {
+            let message = format!("a name of more than {} letters", limits::NAME_BYTES);
+            return self.error(Diagnostic::new("N006", message).at(span, "too long"));
+        }
         Ok(Name { text: text.into(), span })
     }
 
@@ -178,7 +183,7 @@ impl<'t> Parser<'t> {
                 }
             }
             other => {
-                let construct = format!("the directive `{other}` is");
+                let construct = format!("the directive `{}` is", shorten(other.trim_start_matches('`')));
                 self.lexer.skip_line();
                 self.bump();
                 let instead = refuse::instead_of_directive(other);
@@ -188,7 +193,8 @@ impl<'t> Parser<'t> {
     }
 }
 
-fn shorten(text: &str) -> String {
+/// The start of a text, to be shown in a message.
+pub(super) fn shorten(text: &str) -> String {
     let mut short: String = text.chars().take(40).collect();
     if short.len() < text.len() {
         short.push_str("...");

@@ -1,0 +1,7 @@
+//! Any text: `cargo +nightly fuzz run load -- -dict=fuzz_targets/load.dict`.
+#![no_main]
+
+#[path = "../../tests/support/netlist_check.rs"]
+mod netlist_check;
+
+libfuzzer_sys::fuzz_target!(|text: &str| netlist_check::check(text));

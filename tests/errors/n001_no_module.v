@@ -1,0 +1,2 @@
+// Only a comment.
+`default_nettype none

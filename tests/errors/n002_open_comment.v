@@ -1,0 +1,3 @@
+module n002_open_comment (input wire a, output wire b);
+    assign b = a; /* and so on
+endmodule
