@@ -1,6 +1,7 @@
 //! The figures of US 3,809,868 against the patent's equations, its reading's vectors, and data sheets.
 
 mod fig09_errors;
+mod fig09_lanes;
 mod fig09_path;
 mod fig09_strokes;
 mod fig10_control;
