@@ -104,7 +104,17 @@ pub(super) struct Layout {
     pub ram_homes: Vec<u32>,
     /// By ROM. Its words are followed by a zero. ROMs of equal content share a place.
     pub roms: Vec<u32>,
+    /// By value: where to read it. A table, because whoever traces reads every observed value in every tick.
+    places: Vec<Option<Place>>,
     sizes: [u32; 4],
+}
+
+/// Where a value is read.
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    Constant(u64),
+    State { offset: u32, width: u32 },
+    Wire { offset: u32, width: u32 },
 }
 
 impl Layout {
@@ -143,7 +153,18 @@ impl Layout {
         layout.rams = ram_places.into_iter().map(Option::unwrap_or_default).collect();
         let roms = layout.place_roms(&graph.roms);
         layout.sizes = [state.size, wires.size, rams.size, roms];
+        layout.places = (0..graph.nodes.len()).map(|index| layout.place(program, ValueId::new(index))).collect();
         layout
+    }
+
+    fn place(&self, program: &Program, id: ValueId) -> Option<Place> {
+        let node = program.graph.node(id);
+        let width = node.width;
+        match node.op {
+            Op::Const(value) => Some(Place::Constant(value)),
+            Op::Register(register) => Some(Place::State { offset: self.registers[register.index()], width }),
+            _ => self.wires.get(&id).map(|&offset| Place::Wire { offset, width }),
+        }
     }
 
     fn place_roms(&mut self, roms: &[Rom]) -> u32 {
@@ -195,7 +216,7 @@ impl Memory {
 
     fn write_rams(&mut self, program: &Program, layout: &Layout) {
         for (ram, &place) in program.graph.rams.iter().zip(&layout.rams) {
-            let read = |id| self.value(program, layout, id);
+            let read = |id| self.value(layout, id);
             let (enable, address, data) = (read(ram.write.enable), read(ram.write.address), read(ram.write.data));
             let depth = ram.image.depth() as u64;
             if enable != 0 && address < depth {
@@ -206,15 +227,11 @@ impl Memory {
     }
 
     /// A value that has a place, or a constant.
-    pub fn value(&self, program: &Program, layout: &Layout, id: ValueId) -> u64 {
-        let node = program.graph.node(id);
-        match node.op {
-            Op::Const(value) => value,
-            Op::Register(register) => self.now.read(layout.registers[register.index()], node.width),
-            _ => {
-                let place = layout.wires.get(&id).expect("only observed values can be read");
-                self.wires.read(*place, node.width)
-            }
+    pub fn value(&self, layout: &Layout, id: ValueId) -> u64 {
+        match layout.places[id.index()].expect("only observed values can be read") {
+            Place::Constant(value) => value,
+            Place::State { offset, width } => self.now.read(offset, width),
+            Place::Wire { offset, width } => self.wires.read(offset, width),
         }
     }
 }

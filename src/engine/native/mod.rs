@@ -100,7 +100,7 @@ impl Native {
         let mut left = more;
         loop {
             schedule.settle(&self.code, memory);
-            if left == 0 || stop.is_some_and(|stop| memory.value(&self.program, &self.layout, stop) != 0) {
+            if left == 0 || stop.is_some_and(|stop| memory.value(&self.layout, stop) != 0) {
                 return left;
             }
             memory.commit(&self.program, &self.layout);
@@ -153,6 +153,6 @@ impl Engine for Native {
     }
 
     fn value(&self, id: ValueId) -> u64 {
-        self.memory.value(&self.program, &self.layout, id)
+        self.memory.value(&self.layout, id)
     }
 }
