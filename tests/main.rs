@@ -14,8 +14,8 @@ mod outside;
 mod simulation;
 /// The linear interpolator of SU 1522157 and its multiplexer.
 mod su1522157;
-mod sweep;
 /// What several concerns need.
 mod support;
+mod sweep;
 mod tidy;
 mod us3809868;

@@ -4,7 +4,7 @@
 //! text --syntax--> modules --elaborate--> templates --assemble--> Netlist
 //! ```
 //!
-//! [`load`] reads structural Verilog-2005: modules with ANSI headers, parameters, constant expressions, wires, assigns
+//! [`load()`] reads structural Verilog-2005: modules with ANSI headers, parameters, constant expressions, wires, assigns
 //! that only route bits, instances with named connections, gate primitives, generate loops, attributes. Anything else
 //! is an error that says what to write instead. Two things are stricter than Verilog: widths must agree, and a name is
 //! declared before it is used.

@@ -59,6 +59,9 @@ struct Axis {
 /// Fills the words of the inputs, stimulus after stimulus.
 pub type Feed = Box<dyn FnMut(&mut [u64]) -> bool + Send>;
 
+/// Sets the words of one row's columns; `false` when there is no row any more.
+type NextRow = Box<dyn FnMut(&mut dyn FnMut(usize, u64)) -> bool + Send>;
+
 impl Stimuli {
     /// The cross product of `over`, the last one varying fastest.
     ///
@@ -150,7 +153,7 @@ impl Stimuli {
     /// When the CSV file has gone.
     pub fn feed(&self, skip: u64) -> Result<Feed, Report> {
         let (initial, varied) = (self.initial.clone(), self.varied.clone());
-        let mut next: Box<dyn FnMut(&mut dyn FnMut(usize, u64)) -> bool + Send> = match &self.source {
+        let mut next: NextRow = match &self.source {
             Source::Ranges(axes) => self.cross_product(axes, skip),
             Source::Csv { path, ports } => {
                 let mut records = open(path)?.into_records().skip(usize::try_from(skip).unwrap_or(usize::MAX));
@@ -174,7 +177,7 @@ impl Stimuli {
         }))
     }
 
-    fn cross_product(&self, axes: &[Axis], skip: u64) -> Box<dyn FnMut(&mut dyn FnMut(usize, u64)) -> bool + Send> {
+    fn cross_product(&self, axes: &[Axis], skip: u64) -> NextRow {
         let axes: Vec<_> = axes.iter().map(|axis| (axis.over.clone(), axis.port, axis.count)).collect();
         let (mut index, count) = (skip, self.count);
         Box::new(move |set| {
