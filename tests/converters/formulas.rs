@@ -28,27 +28,27 @@ impl Data {
     }
 
     /// X and Y from one point to another.
-    fn from_to(&self, from: char, to: char) -> (f64, f64) {
+    fn between(&self, from: char, to: char) -> (f64, f64) {
         let along = |axis: char| self.real(&format!("{axis}{to}")) - self.real(&format!("{axis}{from}"));
         (along('x'), along('y'))
     }
 
     /// X1 - X0 and Y1 - Y0, exactly.
     pub fn chord(&self) -> (i64, i64) {
-        let (a, b) = self.from_to('0', '1');
+        let (a, b) = self.between('0', '1');
         (a as i64, b as i64)
     }
 }
 
 /// J, K, L, M of a case, or `None` where the formula has no answer.
 pub fn coefficients(case: usize, data: &Data) -> Option<[f64; 4]> {
-    let (a, b) = data.from_to('0', '1');
+    let (a, b) = data.between('0', '1');
     let result = match case {
         1 => case_1(a, b, data.real("s0"), data.real("s1")),
-        2 => case_2(a, b, data.from_to('3', '1'), data.real("s0"))?,
-        3 => case_3(a, b, data.from_to('0', '3'), data.real("s1"))?,
-        4 => case_4(a, b, data.from_to('0', '3'), data.from_to('1', '3'), data.real("s3"))?,
-        _ => case_5(a, b, data.from_to('0', '2')),
+        2 => case_2(a, b, data.between('3', '1'), data.real("s0"))?,
+        3 => case_3(a, b, data.between('0', '3'), data.real("s1"))?,
+        4 => case_4(a, b, data.between('0', '3'), data.between('1', '3'), data.real("s3"))?,
+        _ => case_5(a, b, data.between('0', '2')),
     };
     result.iter().all(|value| value.is_finite()).then_some(result)
 }

@@ -33,8 +33,8 @@ fn run(parameters: &[(&str, i64)], stroke: &Stroke, inputs: &[(&str, i64)]) -> R
         machine.tick();
         run.ticks += 1;
         let now = counts.map(|counter| machine.number(counter));
-        for axis in 0..2 {
-            let way = now[axis] - run.end[axis];
+        for (axis, (now, before)) in now.into_iter().zip(run.end).enumerate() {
+            let way = now - before;
             assert!(way.abs() <= 1);
             if way != 0 {
                 run.edges.push((run.ticks, axis, way));
