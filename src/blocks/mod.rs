@@ -87,6 +87,7 @@ pub static REGISTRY: &[&dyn Block] = &[
     &pulses::sn7497::Sn7497,
     &routing::bipolar_gate::BipolarGate,
     &routing::bound_switch::BoundSwitch,
+    &routing::data_switch::DataSwitch,
     &routing::multiplexer::Multiplexer,
     &routing::polarity_gate::PolarityGate,
     &routing::quadrant_switch::QuadrantSwitch,

@@ -33,6 +33,11 @@ impl Data {
         (along('x'), along('y'))
     }
 
+    /// X1 and Y1.
+    pub fn end(&self) -> (i64, i64) {
+        (self.real("x1") as i64, self.real("y1") as i64)
+    }
+
     /// X1 - X0 and Y1 - Y0, exactly.
     pub fn chord(&self) -> (i64, i64) {
         let (a, b) = self.between('0', '1');

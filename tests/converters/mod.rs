@@ -5,6 +5,7 @@ mod as_printed;
 mod formulas;
 mod histogram;
 mod rig;
+mod system;
 mod vectors;
 
 pub use formulas::Data;

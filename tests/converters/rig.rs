@@ -11,8 +11,8 @@ use stepwright::simulation::shipped::Shelf;
 
 use super::Data;
 
-/// The longest conversion takes about 250 ticks.
-const LIMIT: u64 = 1000;
+/// The longest conversion takes about 200 ticks, a stroke drawn after it 16,384 more.
+const LIMIT: u64 = 20_000;
 
 /// A converter that is ready for the next data.
 pub struct Converter {
@@ -73,9 +73,8 @@ impl Converter {
         data.words.iter().for_each(|(name, word)| self.set(name, *word));
         self.set("start", 1);
         let first = self.engine.advance(1, false);
-        assert_eq!(self.output("done"), 0, "done falls with the start");
         self.set("start", 0);
-        let ticks = first + self.engine.advance(LIMIT, true);
+        let ticks = if self.output("done") == 1 { first } else { first + self.engine.advance(LIMIT, true) };
         assert_eq!(self.output("done"), 1, "done always comes: {data:?}");
         ticks
     }

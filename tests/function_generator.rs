@@ -1,0 +1,168 @@
+//! The multiplying function generator of US 3,809,868, FIG. 4 and 4A: path, end points, vector velocity.
+
+use std::f64::consts::FRAC_PI_2;
+use std::path::Path;
+use std::sync::Arc;
+
+use stepwright::base::word::{decode, encode, signed};
+use stepwright::compile::{Observe, Program, compile};
+use stepwright::engine::{Engine, EngineKind};
+use stepwright::netlist::load;
+use stepwright::simulation::shipped::Shelf;
+
+const CIRCUIT: &str = "circuits/us3809868/fig04_function_generator.v";
+/// Units of the unrounded coordinates a count.
+const COUNT: f64 = (1 << 28) as f64;
+const LIMIT: u64 = 400_000;
+
+/// One tick of the unrounded path.
+type Point = (f64, f64);
+
+struct Generator {
+    program: Arc<Program>,
+    engine: Box<dyn Engine>,
+}
+
+/// What is drawn: J, K, L, M from (X0, Y0), and how.
+#[derive(Clone, Copy, Debug)]
+struct Stroke {
+    jklm: [i64; 4],
+    start: [i64; 2],
+    quarters: i64,
+    fast: bool,
+}
+
+impl Generator {
+    fn new(parameters: &[(String, i64)]) -> Self {
+        let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(CIRCUIT)).expect("the circuit");
+        let netlist = load(CIRCUIT, &text, None, &Shelf { near: CIRCUIT }, parameters);
+        let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
+        let signals = |name: &str| ["x_88", "y_90"].contains(&name);
+        let program = Arc::new(compile(&netlist, &Observe { signals: &signals, until: None, pulses: false }));
+        let engine = EngineKind::Auto.build(Arc::clone(&program), u64::MAX).expect("an engine");
+        Self { program, engine }
+    }
+
+    fn set(&mut self, name: &str, value: i64) {
+        let input = self.program.inputs.iter().position(|port| port.name == name).expect("an input");
+        let port = &self.program.inputs[input];
+        self.engine.set_input(input, encode(value.into(), port.width, port.signed).expect("a word that fits"));
+    }
+
+    fn output(&self, name: &str) -> i64 {
+        let port = self.program.outputs.iter().find(|port| port.name == name).expect("an output");
+        decode(self.engine.value(port.value), port.width, port.signed) as i64
+    }
+
+    fn unrounded(&self, name: &str) -> f64 {
+        let signal = self.program.signals.iter().find(|signal| signal.name() == name).expect("a signal");
+        signed(self.engine.value(signal.value), signal.width) as f64 / COUNT
+    }
+
+    /// Draws; returns the path while the mark is lit (before the last rounding) and the rounded end.
+    fn draw(&mut self, stroke: Stroke) -> (Vec<Point>, [i64; 2]) {
+        let [j, k, l, m] = stroke.jklm;
+        let [x0, y0] = stroke.start;
+        let inputs = [("j", j), ("k", k), ("l", l), ("m", m), ("x0", x0), ("y0", y0), ("quarters", stroke.quarters)];
+        inputs.into_iter().for_each(|(name, value)| self.set(name, value));
+        self.set("fast", stroke.fast.into());
+        self.set("start", 1);
+        self.engine.advance(1, false);
+        self.set("start", 0);
+        let mut path = Vec::new();
+        for _ in 0..LIMIT {
+            self.engine.advance(1, false);
+            if self.output("mark") == 1 {
+                path.push((self.unrounded("x_88"), self.unrounded("y_90")));
+            }
+            if self.output("done") == 1 {
+                // The unrounded sums are one tick ahead of x and y: the last one lies beyond the end.
+                path.pop();
+                return (path, [self.output("x"), self.output("y")]);
+            }
+        }
+        panic!("no end of {stroke:?}");
+    }
+}
+
+fn ideal([j, k, l, m]: [i64; 4], [x0, y0]: [i64; 2], t: f64) -> Point {
+    let at =
+        |along: i64, across: i64, start: i64| along as f64 * (t.cos() - 1.0) + across as f64 * t.sin() + start as f64;
+    (at(j, k, x0), at(l, m, y0))
+}
+
+/// The largest deviation of the path from the ideal ellipse, measured along the ray from its centre.
+fn deviation(stroke: Stroke, path: &[Point]) -> f64 {
+    let [j, k, l, m] = stroke.jklm.map(|value| value as f64);
+    let [x0, y0] = stroke.start.map(|value| value as f64);
+    let along_ray = |&(x, y): &Point| {
+        let (x, y) = (x - x0 + j, y - y0 + l);
+        // Cosine and sine that would give this point; on the ellipse their squares sum to 1.
+        let (cosine, sine) = ((x * m - y * k) / (j * m - k * l), (y * j - x * l) / (j * m - k * l));
+        x.hypot(y) * (1.0 - 1.0 / cosine.hypot(sine)).abs()
+    };
+    path.iter().map(along_ray).fold(0.0, f64::max)
+}
+
+/// Ticks in which the compensated generator runs up to its speed.
+const RUN_UP: usize = 100;
+
+/// Standard deviation of the vector velocity as a part of its mean, the run-up left out.
+fn ripple(path: &[Point]) -> f64 {
+    let steps = path.windows(2).skip(RUN_UP).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1));
+    let speeds: Vec<f64> = steps.collect();
+    let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
+    (speeds.iter().map(|speed| (speed - mean).powi(2)).sum::<f64>() / speeds.len() as f64).sqrt() / mean
+}
+
+const STROKES: [[i64; 4]; 5] =
+    [[-300, 100, 50, 200], [-100, 0, 0, 100], [-400, 0, 0, 50], [20, 500, -300, 40], [2000, -1500, 700, 2500]];
+
+#[test]
+fn every_stroke_ends_exactly_after_one_to_four_quarters() {
+    let mut generator = Generator::new(&[("VELOCITY_BITS".to_owned(), 28)]);
+    let extremes = [[4095, -4095, -4095, -4095], [0, 0, 0, 0], [1, 0, 0, -1]];
+    for jklm in STROKES.into_iter().chain(extremes) {
+        for quarters in 1..=4 {
+            let stroke = Stroke { jklm, start: [-120, 77], quarters, fast: quarters % 2 == 0 };
+            let (_, end) = generator.draw(stroke);
+            let (x, y) = ideal(jklm, stroke.start, FRAC_PI_2 * quarters as f64);
+            assert_eq!(end, [x.round() as i64, y.round() as i64], "{stroke:?}");
+        }
+    }
+}
+
+#[test]
+fn a_start_with_a_wrong_number_of_quarters_is_refused_and_told() {
+    let mut generator = Generator::new(&[]);
+    for (quarters, refused) in [(0, 1), (5, 1), (7, 1), (1, 0)] {
+        generator.set("quarters", quarters);
+        generator.set("start", 1);
+        generator.engine.advance(1, false);
+        assert_eq!((generator.output("error"), generator.output("busy")), (refused, 1 - refused));
+    }
+}
+
+/// Path and velocity of a stroke, as the documentation shows them.
+fn row(generator: &mut Generator, jklm: [i64; 4]) -> String {
+    let stroke = Stroke { jklm, start: [0, 0], quarters: 4, fast: false };
+    let (path, _) = generator.draw(stroke);
+    let (free, _) = generator.draw(Stroke { fast: true, ..stroke });
+    let (on, off) = (ripple(&path), ripple(&free));
+    let error = deviation(stroke, &path);
+    let size = jklm.map(i64::abs).into_iter().max().unwrap_or(0) as f64;
+    assert!(error < 0.0015 * size, "{jklm:?} is {error} counts off its ellipse");
+    // A circle has a steady velocity without the compensator, too; what is left is the short step at each quarter.
+    assert!(on < 0.06 && (on < off / 4.0 || off < 0.05), "{jklm:?}: ripple {on} of {off}");
+    let [j, k, l, m] = jklm;
+    format!("| {j}, {k}, {l}, {m} | {error:.2} | {:.1} % | {:.1} % | {} |", 100.0 * off, 100.0 * on, path.len())
+}
+
+#[test]
+fn the_path_keeps_to_its_ellipse_and_the_compensator_evens_the_velocity_as_documented() {
+    let mut generator = Generator::new(&[]);
+    let rows: Vec<String> = STROKES.into_iter().map(|jklm| row(&mut generator, jklm)).collect();
+    let table = rows.join("\n");
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/fig04.md")).expect("the page");
+    assert!(page.contains(&table), "docs/fig04.md should have these rows:\n{table}");
+}
