@@ -1,7 +1,7 @@
 //! Pulse counters of all lanes at once: plane `i` of a counter holds bit `i` of every lane's count.
 
 /// Most 64-lane words of a plane.
-const MOST_WORDS: usize = 16;
+pub(super) const MOST_WORDS: usize = 16;
 /// Most bits of the count of one block, which has at most 128 ticks.
 const BLOCK_BITS: usize = 8;
 

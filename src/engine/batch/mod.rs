@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::lanes::{Compiled, Path};
-use crate::base::{Diagnostic, Op, ValueId};
+use crate::base::{Diagnostic, Op};
 use crate::compile::{Program, compile_graph};
 use queue::Queue;
 use worker::Worker;
@@ -183,25 +183,26 @@ pub fn run_batch(
     Ok(queue.done())
 }
 
-/// A batch made ready: the program without what nobody sees, compiled to lanes.
+/// A batch made ready: the program without what nobody sees, compiled to lanes. Values are known by their planes in
+/// the recorded history, low bit first.
 struct Job {
     plan: Plan,
     compiled: Arc<Compiled>,
     inputs: usize,
-    /// Values whose words are read when a run is over.
-    outputs: Vec<ValueId>,
+    outputs: Vec<Vec<u32>>,
     pulses: Vec<Pulse>,
-    signals: Vec<ValueId>,
-    stop: Option<ValueId>,
+    signals: Vec<Vec<u32>>,
+    stop: Option<u32>,
 }
 
 /// How a pulse count is come by.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum Pulse {
-    /// By counting the ticks at which this bit is 1. A 64-bit counter made of planes would cost more than most circuits.
-    Count(ValueId),
+    /// By counting the ticks at which this plane is 1. A 64-bit counter made of planes would cost more than most
+    /// circuits.
+    Count(u32),
     /// By reading this word.
-    Read(ValueId),
+    Read(Vec<u32>),
 }
 
 impl Job {
@@ -215,22 +216,26 @@ impl Job {
             program.stop = None;
         }
         let program = compile_graph(program);
-        let pulses = program.pulses.iter().zip(is_counted);
-        let pulses = pulses.map(|(&(_, id), counted)| if counted { Pulse::Count(id) } else { Pulse::Read(id) });
-        let outputs: Vec<_> = program.outputs.iter().map(|port| port.value).collect();
-        let signals: Vec<_> = program.signals.iter().map(|signal| signal.value).collect();
-        let counted = program.pulses.iter().map(|(_, value)| *value);
-        let mut wanted: Vec<_> = outputs.iter().chain(&signals).copied().chain(counted).chain(program.stop).collect();
+        let outputs = program.outputs.iter().map(|port| port.value);
+        let signals = program.signals.iter().map(|signal| signal.value);
+        let counts = program.pulses.iter().map(|(_, value)| *value);
+        let mut wanted: Vec<_> =
+            outputs.clone().chain(signals.clone()).chain(counts.clone()).chain(program.stop).collect();
         wanted.sort_unstable();
         wanted.dedup();
+        let compiled = Compiled::new(&program, &wanted, path);
+        let planes = |id| compiled.planes(id).to_vec();
+        let pulses = counts.map(planes).zip(is_counted);
         Self {
             plan: plan.clone(),
-            compiled: Arc::new(Compiled::new(&program, &wanted, path)),
             inputs: program.inputs.len(),
-            outputs,
-            pulses: pulses.collect(),
-            signals,
-            stop: program.stop,
+            outputs: outputs.map(planes).collect(),
+            pulses: pulses
+                .map(|(planes, counted)| if counted { Pulse::Count(planes[0]) } else { Pulse::Read(planes) })
+                .collect(),
+            signals: signals.map(planes).collect(),
+            stop: program.stop.map(|stop| compiled.planes(stop)[0]),
+            compiled: Arc::new(compiled),
         }
     }
 

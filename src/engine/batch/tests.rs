@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::base::word::mask;
-use crate::base::{Graph, Register, RegisterId};
+use crate::base::{Graph, Register, RegisterId, ValueId};
 use crate::engine::lanes::tests::{graph, program};
 use crate::engine::{Engine, Interpreter};
 

@@ -7,7 +7,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::counters::Counters;
+use super::counters::{Counters, MOST_WORDS};
 use super::queue::{Answer, Found, Queue, Results, Stimuli};
 use super::{End, Feed, Job, Pulse, Sink, StoppedBy};
 use crate::engine::lanes::Machine;
@@ -237,12 +237,12 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
         let start = self.lanes[lane].start;
         let last = start.saturating_add(self.job.plan.last_tick().0);
         for tick in 0..ticks {
-            let read = |id| self.machine.word(tick, self.job.compiled.planes(id), lane);
-            let words: Vec<_> = self.job.signals.iter().map(|&id| read(id)).collect();
+            let read = |planes: &[u32]| self.machine.history().word(tick, planes, lane);
+            let words: Vec<_> = self.job.signals.iter().map(|planes| read(planes)).collect();
             let at = self.now + tick as u64;
             self.queue.sample(at - start, &words);
             let is_judged = self.judged[lane / 64] >> (lane % 64) & 1 == 1;
-            if at == last || is_judged && self.job.stop.is_some_and(|stop| read(stop) != 0) {
+            if at == last || is_judged && self.job.stop.is_some_and(|stop| read(&[stop]) != 0) {
                 break;
             }
         }
@@ -254,14 +254,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
         let has_deadline = self.deadline < end;
         for tick in 0..ticks {
             if let Some(stop) = self.job.stop {
-                let plane = self.job.compiled.planes(stop)[0] as usize;
-                for at in 0..self.active.len() {
-                    let stopped = self.machine.history(tick)[plane * self.active.len() + at];
-                    let stopped = stopped & self.active[at] & self.judged[at];
-                    for lane in lanes_of(&[stopped]) {
-                        self.finish(at * 64 + lane, tick, StoppedBy::Until);
-                    }
-                }
+                self.finish_stopped(tick, stop);
             }
             if has_deadline {
                 self.finish_at_deadline(tick);
@@ -277,6 +270,21 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
         }
     }
 
+    fn finish_stopped(&mut self, tick: usize, stop: u32) {
+        let mut stopped = [0; MOST_WORDS];
+        let mut any = 0;
+        let masks = self.active.iter().zip(&self.judged);
+        for ((stopped, plane), (active, judged)) in
+            stopped.iter_mut().zip(self.machine.history().plane(tick, stop)).zip(masks)
+        {
+            *stopped = plane & active & judged;
+            any |= *stopped;
+        }
+        if any != 0 {
+            lanes_of(&stopped).for_each(|lane| self.finish(lane, tick, StoppedBy::Until));
+        }
+    }
+
     fn finish_at_deadline(&mut self, tick: usize) {
         let (last, stopped_by) = self.job.plan.last_tick();
         let at = self.now + tick as u64;
@@ -288,15 +296,14 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
     fn finish(&mut self, lane: usize, tick: usize, stopped_by: StoppedBy) {
         let Lane { index, start } = self.lanes[lane];
         let ticks = self.now + tick as u64 - start + 1;
-        let compiled = &self.job.compiled;
+        let history = self.machine.history();
         let words = &mut self.results.words;
-        words.extend(self.job.outputs.iter().map(|&id| self.machine.word(tick, compiled.planes(id), lane)));
+        words.extend(self.job.outputs.iter().map(|planes| history.word(tick, planes, lane)));
         for (pulse, counters) in self.job.pulses.iter().zip(&self.counters) {
-            words.push(match *pulse {
-                Pulse::Read(id) => self.machine.word(tick, compiled.planes(id), lane),
-                Pulse::Count(id) => {
-                    let planes = compiled.planes(id);
-                    let block: u64 = (0..=tick).map(|tick| self.machine.word(tick, planes, lane)).sum();
+            words.push(match pulse {
+                Pulse::Read(planes) => history.word(tick, planes, lane),
+                Pulse::Count(plane) => {
+                    let block: u64 = (0..=tick).map(|tick| history.bit(tick, *plane, lane)).sum();
                     counters.count(lane) + block
                 }
             });
@@ -308,11 +315,10 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
 
     /// Counts the pulses of the block.
     fn count(&mut self, ticks: usize) {
-        let words = self.active.len();
+        let history = self.machine.history();
         for (pulse, counters) in self.job.pulses.iter().zip(&mut self.counters) {
-            if let Pulse::Count(id) = *pulse {
-                let plane = self.job.compiled.planes(id)[0] as usize;
-                counters.add((0..ticks).map(|tick| &self.machine.history(tick)[plane * words..][..words]));
+            if let Pulse::Count(plane) = *pulse {
+                counters.add((0..ticks).map(|tick| history.plane(tick, plane)));
             }
         }
     }

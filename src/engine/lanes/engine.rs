@@ -34,7 +34,7 @@ impl LanesEngine {
     }
 
     fn has_stopped(&self, tick: usize) -> bool {
-        self.stop.is_some_and(|stop| self.machine.word(tick, self.machine.compiled().planes(stop), 0) != 0)
+        self.stop.is_some_and(|stop| self.machine.history().word(tick, self.machine.compiled().planes(stop), 0) != 0)
     }
 
     /// Advances by one block of ticks; tells how many and whether the program stopped.
@@ -92,6 +92,6 @@ impl Engine for LanesEngine {
     }
 
     fn value(&self, id: ValueId) -> u64 {
-        self.machine.word(self.at, self.machine.compiled().planes(id), 0)
+        self.machine.history().word(self.at, self.machine.compiled().planes(id), 0)
     }
 }

@@ -41,24 +41,28 @@ impl Machine {
     }
 
     fn regions(&mut self) -> Regions<'_> {
+        self.parts().1
+    }
+
+    /// The program and its planes.
+    fn parts(&mut self) -> (&Compiled, Regions<'_>) {
         let sizes = self.compiled.sizes();
         let (fixed, rest) = self.memory[self.start..].split_at_mut(sizes.fixed);
         let (first, rest) = rest.split_at_mut(sizes.state);
         let (second, history) = rest.split_at_mut(sizes.state);
         let (now, next) = if self.parity == 0 { (first, second) } else { (second, first) };
-        Regions { fixed, now, next, history }
+        (&self.compiled, Regions { fixed, now, next, history })
     }
 
     /// Puts the lanes of `mask` at power-on; their inputs stay.
     pub(in crate::engine) fn reset(&mut self, mask: &[u64]) {
-        let compiled = Arc::clone(&self.compiled);
-        let now = self.regions().now;
+        let (compiled, Regions { now, .. }) = self.parts();
         for (plane, &init) in now.chunks_exact_mut(compiled.words).zip(&compiled.layout.init) {
             for (word, mask) in plane.iter_mut().zip(mask) {
                 *word = if init { *word | mask } else { *word & !mask };
             }
         }
-        for (ram, image) in self.rams.iter_mut().zip(&compiled.ram_images) {
+        for (ram, image) in self.rams.iter_mut().zip(&self.compiled.ram_images) {
             for (lane, words) in ram.chunks_exact_mut(image.len().max(1)).enumerate() {
                 if mask[lane / 64] >> (lane % 64) & 1 == 1 {
                     words.copy_from_slice(image);
@@ -69,8 +73,7 @@ impl Machine {
 
     /// Sets an input of one lane.
     pub(in crate::engine) fn set(&mut self, lane: usize, input: usize, word: u64) {
-        let compiled = Arc::clone(&self.compiled);
-        let fixed = self.regions().fixed;
+        let (compiled, Regions { fixed, .. }) = self.parts();
         let (at, bit) = (lane / 64, 1 << (lane % 64));
         for (i, &plane) in compiled.layout.inputs[input].iter().enumerate() {
             let planes = &mut fixed[plane as usize * compiled.words + at];
@@ -80,8 +83,7 @@ impl Machine {
 
     /// Sets an input of the lanes of `mask`.
     pub(in crate::engine) fn set_all(&mut self, mask: &[u64], input: usize, word: u64) {
-        let compiled = Arc::clone(&self.compiled);
-        let fixed = self.regions().fixed;
+        let (compiled, Regions { fixed, .. }) = self.parts();
         for (i, &plane) in compiled.layout.inputs[input].iter().enumerate() {
             let plane = &mut fixed[plane as usize * compiled.words..][..compiled.words];
             for (planes, mask) in plane.iter_mut().zip(mask) {
@@ -95,21 +97,23 @@ impl Machine {
     /// # Panics
     /// When the history has no room for them.
     pub(in crate::engine) fn pass(&mut self, ticks: usize) {
-        let compiled = Arc::clone(&self.compiled);
-        assert!((1..=compiled.most_ticks).contains(&ticks), "a pass of {ticks} ticks");
-        if compiled.is_plain()
-            && let Backend::Native(code) = &compiled.backend
-        {
-            let Regions { fixed, now, next, history } = self.regions();
-            code[0].run(fixed, now, next, history, ticks);
-            self.parity ^= (ticks - 1) & 1;
-            return;
-        }
-        for tick in 0..ticks {
-            if tick > 0 {
-                self.commit();
+        assert!((1..=self.compiled.most_ticks).contains(&ticks), "a pass of {ticks} ticks");
+        let (compiled, Regions { fixed, now, next, history }) = self.parts();
+        match &compiled.backend {
+            #[cfg(target_arch = "x86_64")]
+            Backend::Native(code) if compiled.is_plain() => {
+                code[0].run(fixed, now, next, history, ticks);
+                self.parity ^= (ticks - 1) & 1;
             }
-            self.settle(&compiled, tick);
+            _ => {
+                let compiled = Arc::clone(&self.compiled);
+                for tick in 0..ticks {
+                    if tick > 0 {
+                        self.commit();
+                    }
+                    self.settle(&compiled, tick);
+                }
+            }
         }
     }
 
@@ -117,6 +121,7 @@ impl Machine {
         let recorded = tick * compiled.layout.history as usize;
         for (stage, lookups) in compiled.layout.lookups.iter().enumerate() {
             match &compiled.backend {
+                #[cfg(target_arch = "x86_64")]
                 Backend::Native(code) => {
                     let Regions { fixed, now, next, history } = self.regions();
                     code[stage].run(fixed, now, next, &mut history[recorded * compiled.words..], 1);
@@ -159,7 +164,13 @@ impl Machine {
 
     /// Ends the tick: the next state becomes the present one.
     pub(in crate::engine) fn commit(&mut self) {
-        let compiled = Arc::clone(&self.compiled);
+        if !self.compiled.layout.stores.is_empty() {
+            self.write_rams(&Arc::clone(&self.compiled));
+        }
+        self.parity ^= 1;
+    }
+
+    fn write_rams(&mut self, compiled: &Compiled) {
         for store in &compiled.layout.stores {
             let depth = compiled.ram_images[store.ram.index()].len();
             for group in 0..compiled.words {
@@ -174,21 +185,14 @@ impl Machine {
                 }
             }
         }
-        self.parity ^= 1;
     }
 
-    /// The planes recorded at a tick of the last pass.
-    pub(in crate::engine) fn history(&self, tick: usize) -> &[u64] {
+    /// What the last pass recorded.
+    pub(in crate::engine) fn history(&self) -> History<'_> {
         let sizes = self.compiled.sizes();
-        let one = self.compiled.layout.history as usize * self.compiled.words;
-        &self.memory[self.start + sizes.fixed + 2 * sizes.state + tick * one..][..one]
-    }
-
-    /// A word recorded at a tick of the last pass, from the planes it is made of.
-    pub(in crate::engine) fn word(&self, tick: usize, planes: &[u32], lane: usize) -> u64 {
-        let (history, words) = (self.history(tick), self.compiled.words);
-        let bit = |plane: u32| history[plane as usize * words + lane / 64] >> (lane % 64) & 1;
-        planes.iter().enumerate().map(|(i, &plane)| bit(plane) << i).sum()
+        let words = self.compiled.words;
+        let planes = &self.memory[self.start + sizes.fixed + 2 * sizes.state..];
+        History { planes, words, tick: self.compiled.layout.history as usize * words }
     }
 
     /// The state of the present tick, for [`Machine::rewind`]. Large RAMs are not part of it.
@@ -207,4 +211,31 @@ struct Regions<'a> {
     now: &'a mut [u64],
     next: &'a mut [u64],
     history: &'a mut [u64],
+}
+
+/// The recorded planes of some ticks.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::engine) struct History<'a> {
+    planes: &'a [u64],
+    /// Words of a plane.
+    words: usize,
+    /// Words of a tick.
+    tick: usize,
+}
+
+impl<'a> History<'a> {
+    /// A plane as recorded at a tick.
+    pub(in crate::engine) fn plane(&self, tick: usize, plane: u32) -> &'a [u64] {
+        &self.planes[tick * self.tick + plane as usize * self.words..][..self.words]
+    }
+
+    /// A bit of a lane at a tick.
+    pub(in crate::engine) fn bit(&self, tick: usize, plane: u32, lane: usize) -> u64 {
+        self.planes[tick * self.tick + plane as usize * self.words + lane / 64] >> (lane % 64) & 1
+    }
+
+    /// The word of a lane at a tick, from the planes it is made of.
+    pub(in crate::engine) fn word(&self, tick: usize, planes: &[u32], lane: usize) -> u64 {
+        planes.iter().enumerate().map(|(i, &plane)| self.bit(tick, plane, lane) << i).sum()
+    }
 }
