@@ -11,7 +11,7 @@ use stepwright::netlist;
 use stepwright::simulation::shipped::{Shelf, text};
 
 const CIRCUIT: &str = "su1522157/interpolator.v";
-const FRAMES: u64 = 40_000;
+const FRAMES: u64 = 400_000;
 
 /// The interpolator until it is no longer busy, its pulses counted.
 fn interpolator() -> Program {
