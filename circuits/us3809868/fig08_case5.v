@@ -97,7 +97,7 @@ module fig08_case5 (
 
     // Ranks 3 to 5. T = 1 / (sqrt 2 - 1) = sqrt 2 + 1
     (* fraction = 30 *) wire signed [32:0] t_256;
-    reference #(.WIDTH(33), .VALUE(33'd2592242074)) reference_256 (.value(t_256));
+    reference #(.WIDTH(33), .VALUE(64'd2592242074)) reference_256 (.value(t_256));
     (* fraction = 24 *) wire signed [39:0] j_252;
     wire overflow_252;
     multiplier #(.A_WIDTH(49), .B_WIDTH(33), .DROP(36), .WIDTH(40)) multiplier_252 (
