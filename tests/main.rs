@@ -10,6 +10,8 @@ mod engines;
 mod function_generator;
 /// Random circuits and stimuli.
 mod generate;
+/// Golden traces on every engine.
+mod goldens;
 /// Circuits as text.
 mod netlist;
 mod outside;
