@@ -170,7 +170,7 @@ fn traced(
     let mut vcd = VcdWriter::new(Vec::new(), &plan)?;
     let mut written = Ok(());
     let mut sample = |tick: u64, engine: &dyn Engine| {
-        if let (Ok(()), Some(changes)) = (&written, sampler.sample(tick, |id| engine.value(id))) {
+        if let (Ok(()), Some(changes)) = (&written, sampler.sample_all(tick, |ids, words| engine.read(ids, words))) {
             written = vcd.tick(tick, changes);
         }
     };

@@ -29,7 +29,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<Ending, Report> {
     let mut sample = |tick: u64, engine: &dyn Engine| {
         let read = |id| engine.value(id);
         if let Some(waves) = &mut waves {
-            waves.sample(tick, read);
+            waves.sample(tick, engine);
         }
         if let Some(table) = &mut table {
             table.sample(tick, read);

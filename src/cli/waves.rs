@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::args::RunArguments;
 use super::files::{self, Output};
-use crate::base::{Report, Signal, ValueId};
+use crate::base::{Report, Signal};
+use crate::engine::Engine;
 use crate::trace::{FstWriter, Plan, Sampler, VcdWriter, Window};
 
 /// VCD and FST under way.
@@ -37,11 +38,11 @@ impl Waves {
     }
 
     /// Takes the values of a tick.
-    pub fn sample(&mut self, tick: u64, read: impl Fn(ValueId) -> u64) {
+    pub fn sample(&mut self, tick: u64, engine: &dyn Engine) {
         if self.failed.is_some() {
             return;
         }
-        let Some(changes) = self.sampler.sample(tick, read) else { return };
+        let Some(changes) = self.sampler.sample_all(tick, |ids, words| engine.read(ids, words)) else { return };
         let vcd = self.vcd.as_mut().map(|(path, vcd)| (path, vcd.tick(tick, changes)));
         let fst = self.fst.as_mut().map(|(path, fst)| (path, fst.tick(tick, changes)));
         for (path, result) in [vcd, fst].into_iter().flatten() {

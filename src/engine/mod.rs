@@ -39,4 +39,12 @@ pub trait Engine {
 
     /// An observed value ([`crate::compile::Program::observed`]) as last settled.
     fn value(&self, id: ValueId) -> u64;
+
+    /// Reads many observed values: `words[i]` becomes the value of `ids[i]`. One call for all that a trace wants of a
+    /// tick, because a call for each would cost more than the tick.
+    fn read(&self, ids: &[ValueId], words: &mut [u64]) {
+        for (word, &id) in words.iter_mut().zip(ids) {
+            *word = self.value(id);
+        }
+    }
 }

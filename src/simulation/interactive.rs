@@ -31,7 +31,9 @@ struct Trace {
 
 impl Trace {
     fn sample(&mut self, tick: u64, engine: &dyn Engine) {
-        if let (Ok(()), Some(changes)) = (&self.written, self.sampler.sample(tick, |id| engine.value(id))) {
+        if let (Ok(()), Some(changes)) =
+            (&self.written, self.sampler.sample_all(tick, |ids, words| engine.read(ids, words)))
+        {
             self.written = self.vcd.tick(tick, changes);
         }
     }

@@ -31,6 +31,8 @@ impl Window {
 pub struct Sampler {
     values: Vec<ValueId>,
     words: Vec<u64>,
+    /// Those of the tick being read.
+    fresh: Vec<u64>,
     changes: Vec<Change>,
     window: Window,
     started: bool,
@@ -41,45 +43,48 @@ impl Sampler {
     #[must_use]
     pub fn new(plan: &Plan, window: Window) -> Self {
         let values: Vec<_> = plan.slots().iter().map(|slot| slot.value).collect();
-        Self { words: vec![0; values.len()], changes: Vec::with_capacity(values.len()), values, window, started: false }
+        let count = values.len();
+        let (words, fresh) = (vec![0; count], vec![0; count]);
+        Self { words, fresh, changes: Vec::with_capacity(count), values, window, started: false }
     }
 
     /// Reads the values at `tick` and returns those that changed since the last call; the first time all of them.
     /// `None` outside the window, where nothing is read.
     pub fn sample(&mut self, tick: u64, read: impl Fn(ValueId) -> u64) -> Option<&[Change]> {
+        self.sample_all(tick, |values, words| {
+            for (word, &value) in words.iter_mut().zip(values) {
+                *word = read(value);
+            }
+        })
+    }
+
+    /// The same with one call that reads all values: `read` puts the word of the i-th value into the i-th place.
+    pub fn sample_all(&mut self, tick: u64, read: impl FnOnce(&[ValueId], &mut [u64])) -> Option<&[Change]> {
         if tick < self.window.from || tick > self.window.to {
             return None;
         }
         self.changes.clear();
+        read(&self.values, &mut self.fresh);
         if self.started {
-            self.scan(read);
+            self.compare();
         } else {
             self.started = true;
-            self.read_all(read);
+            let all = self.fresh.iter().enumerate();
+            self.changes.extend(all.map(|(slot, &word)| Change { slot: SlotId::new(slot), word }));
         }
+        std::mem::swap(&mut self.words, &mut self.fresh);
         Some(&self.changes)
-    }
-
-    fn read_all(&mut self, read: impl Fn(ValueId) -> u64) {
-        for (slot, (word, &value)) in self.words.iter_mut().zip(&self.values).enumerate() {
-            *word = read(value);
-            self.changes.push(Change { slot: SlotId::new(slot), word: *word });
-        }
     }
 
     /// Gathers the changed ones of up to 64 values in a mask, because a branch for each would be guessed wrong
     /// about as often as a signal changes.
-    fn scan(&mut self, read: impl Fn(ValueId) -> u64) {
-        for (part, (words, values)) in self.words.chunks_mut(64).zip(self.values.chunks(64)).enumerate() {
-            let mut changed = 0u64;
-            for (i, (word, &value)) in words.iter_mut().zip(values).enumerate() {
-                let new = read(value);
-                changed |= u64::from(new != *word) << i;
-                *word = new;
-            }
+    fn compare(&mut self) {
+        for (part, (old, new)) in self.words.chunks(64).zip(self.fresh.chunks(64)).enumerate() {
+            let pairs = old.iter().zip(new).enumerate();
+            let mut changed = pairs.fold(0, |mask, (i, (old, new))| mask | u64::from(old != new) << i);
             while changed != 0 {
                 let i = changed.trailing_zeros() as usize;
-                self.changes.push(Change { slot: SlotId::new(part * 64 + i), word: words[i] });
+                self.changes.push(Change { slot: SlotId::new(part * 64 + i), word: new[i] });
                 changed &= changed - 1;
             }
         }

@@ -19,14 +19,16 @@ impl Bytes {
         self.0.as_mut_ptr().cast()
     }
 
-    /// The word of `width` bits at `offset`.
-    pub fn read(&self, offset: u32, width: u32) -> u64 {
-        let bytes = self.0[offset as usize / 8].to_ne_bytes();
-        let bytes = &bytes[offset as usize % 8..];
-        match machine_type(width).bytes() {
+    pub fn as_bytes(&self) -> &[u8] {
+        bytemuck::cast_slice(&self.0)
+    }
+
+    fn read(&self, spot: Spot) -> u64 {
+        let bytes = &self.as_bytes()[spot.offset as usize..];
+        match spot.bytes {
             1 => bytes[0].into(),
             4 => u32::from_ne_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]).into(),
-            _ => self.0[offset as usize / 8],
+            _ => self.0[spot.offset as usize / 8],
         }
     }
 
@@ -48,6 +50,20 @@ impl Bytes {
         for (word, place) in image.words().zip((offset..).step_by(element_size(image))) {
             self.write(place, image.width(), word);
         }
+    }
+}
+
+/// Where a word stands in [`Bytes`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub offset: u32,
+    pub bytes: u32,
+}
+
+impl Spot {
+    /// The word of `width` bits at `offset`.
+    fn new(offset: u32, width: u32) -> Self {
+        Self { offset, bytes: machine_type(width).bytes() }
     }
 }
 
@@ -104,17 +120,17 @@ pub(super) struct Layout {
     pub ram_homes: Vec<u32>,
     /// By ROM. Its words are followed by a zero. ROMs of equal content share a place.
     pub roms: Vec<u32>,
-    /// By value: where to read it. A table, because whoever traces reads every observed value in every tick.
+    /// By value: where to read it.
     places: Vec<Option<Place>>,
     sizes: [u32; 4],
 }
 
 /// Where a value is read.
 #[derive(Clone, Copy, Debug)]
-enum Place {
+pub(super) enum Place {
     Constant(u64),
-    State { offset: u32, width: u32 },
-    Wire { offset: u32, width: u32 },
+    State(Spot),
+    Wire(Spot),
 }
 
 impl Layout {
@@ -153,17 +169,21 @@ impl Layout {
         layout.rams = ram_places.into_iter().map(Option::unwrap_or_default).collect();
         let roms = layout.place_roms(&graph.roms);
         layout.sizes = [state.size, wires.size, rams.size, roms];
-        layout.places = (0..graph.nodes.len()).map(|index| layout.place(program, ValueId::new(index))).collect();
+        layout.places = (0..graph.nodes.len()).map(|index| layout.find(program, ValueId::new(index))).collect();
         layout
     }
 
-    fn place(&self, program: &Program, id: ValueId) -> Option<Place> {
+    /// Where an observed value is read.
+    pub fn place(&self, id: ValueId) -> Place {
+        self.places[id.index()].expect("only observed values can be read")
+    }
+
+    fn find(&self, program: &Program, id: ValueId) -> Option<Place> {
         let node = program.graph.node(id);
-        let width = node.width;
         match node.op {
             Op::Const(value) => Some(Place::Constant(value)),
-            Op::Register(register) => Some(Place::State { offset: self.registers[register.index()], width }),
-            _ => self.wires.get(&id).map(|&offset| Place::Wire { offset, width }),
+            Op::Register(register) => Some(Place::State(Spot::new(self.registers[register.index()], node.width))),
+            _ => self.wires.get(&id).map(|&offset| Place::Wire(Spot::new(offset, node.width))),
         }
     }
 
@@ -228,10 +248,10 @@ impl Memory {
 
     /// A value that has a place, or a constant.
     pub fn value(&self, layout: &Layout, id: ValueId) -> u64 {
-        match layout.places[id.index()].expect("only observed values can be read") {
+        match layout.place(id) {
             Place::Constant(value) => value,
-            Place::State { offset, width } => self.now.read(offset, width),
-            Place::Wire { offset, width } => self.wires.read(offset, width),
+            Place::State(spot) => self.now.read(spot),
+            Place::Wire(spot) => self.wires.read(spot),
         }
     }
 }

@@ -6,15 +6,18 @@ mod host;
 mod memory;
 mod ops;
 mod plan;
+mod reads;
 mod shape;
 mod shared;
 mod unit;
 mod word;
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use self::host::{Assembler, Code};
 use self::memory::{Layout, Memory};
+use self::reads::Reads;
 use self::shared::Schedule;
 use super::Engine;
 use crate::base::{Diagnostic, Op, ValueId};
@@ -33,6 +36,8 @@ pub struct Native {
     /// Inputs as set; those in memory are as last settled.
     inputs: Vec<u64>,
     stale: bool,
+    /// What was read last by [`Engine::read`]; a trace reads the same values in every tick.
+    reads: RefCell<Reads>,
 }
 
 /// What the code of a program looks like.
@@ -81,6 +86,7 @@ impl Native {
             code: assembler.finish()?,
             inputs: vec![0; program.inputs.len()],
             stale: false,
+            reads: RefCell::default(),
             program,
             layout,
             form,
@@ -154,5 +160,13 @@ impl Engine for Native {
 
     fn value(&self, id: ValueId) -> u64 {
         self.memory.value(&self.layout, id)
+    }
+
+    fn read(&self, ids: &[ValueId], words: &mut [u64]) {
+        let mut reads = self.reads.borrow_mut();
+        if reads.ids() != ids {
+            *reads = Reads::new(&self.layout, ids);
+        }
+        reads.fill(&self.memory, words);
     }
 }
