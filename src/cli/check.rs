@@ -167,10 +167,11 @@ fn traced(
 ) -> io::Result<(Vec<u8>, simulation::Outcome)> {
     let plan = Plan::new(&program.signals);
     let mut sampler = Sampler::new(&plan, Window::ALL);
+    engine.watch(sampler.values());
     let mut vcd = VcdWriter::new(Vec::new(), &plan)?;
     let mut written = Ok(());
     let mut sample = |tick: u64, engine: &dyn Engine| {
-        if let (Ok(()), Some(changes)) = (&written, sampler.sample_all(tick, |ids, words| engine.read(ids, words))) {
+        if let (Ok(()), Some(changes)) = (&written, sampler.sample_all(tick, |words| engine.read(words))) {
             written = vcd.tick(tick, changes);
         }
     };

@@ -210,7 +210,7 @@ impl Output {
     /// `C003`: its folder is missing or not writable.
     pub fn create(path: &Path) -> Result<Self, Report> {
         let sink = Self::sink(path).map_err(|error| unwritable(path, &error))?;
-        Ok(Self { path: path.to_owned(), sink: BufWriter::with_capacity(1 << 18, sink) })
+        Ok(Self { path: path.to_owned(), sink: BufWriter::new(sink) })
     }
 
     fn sink(path: &Path) -> io::Result<Sink> {

@@ -26,6 +26,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<Ending, Report> {
     let mut picture = watched.picture(&program)?;
     let mut waves = Waves::open(arguments, &watched.traced_signals(&program))?;
     let mut engine = arguments.target.engine.build(Arc::clone(&program), prepared.stimulus.stop.ticks)?;
+    if let Some(waves) = &waves {
+        engine.watch(waves.values());
+    }
     let mut sample = |tick: u64, engine: &dyn Engine| {
         let read = |id| engine.value(id);
         if let Some(waves) = &mut waves {

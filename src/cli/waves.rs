@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::args::RunArguments;
 use super::files::{self, Output};
-use crate::base::{Report, Signal};
+use crate::base::{Report, Signal, ValueId};
 use crate::engine::Engine;
 use crate::trace::{FstWriter, Plan, Sampler, VcdWriter, Window};
 
@@ -37,12 +37,17 @@ impl Waves {
         }))
     }
 
+    /// The values that an engine has to watch before [`Waves::sample`].
+    pub fn values(&self) -> &[ValueId] {
+        self.sampler.values()
+    }
+
     /// Takes the values of a tick.
     pub fn sample(&mut self, tick: u64, engine: &dyn Engine) {
         if self.failed.is_some() {
             return;
         }
-        let Some(changes) = self.sampler.sample_all(tick, |ids, words| engine.read(ids, words)) else { return };
+        let Some(changes) = self.sampler.sample_all(tick, |words| engine.read(words)) else { return };
         let vcd = self.vcd.as_mut().map(|(path, vcd)| (path, vcd.tick(tick, changes)));
         let fst = self.fst.as_mut().map(|(path, fst)| (path, fst.tick(tick, changes)));
         for (path, result) in [vcd, fst].into_iter().flatten() {

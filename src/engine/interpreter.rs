@@ -17,6 +17,7 @@ pub struct Interpreter {
     registers: Vec<u64>,
     roms: Vec<Vec<u64>>,
     rams: Vec<Vec<u64>>,
+    watched: Vec<ValueId>,
 }
 
 impl Interpreter {
@@ -30,13 +31,14 @@ impl Interpreter {
             registers: graph.registers.iter().map(|register| register.init).collect(),
             roms: graph.roms.iter().map(|rom| rom.image.words().collect()).collect(),
             rams: graph.rams.iter().map(|ram| ram.image.words().collect()).collect(),
+            watched: Vec::new(),
             program,
         };
         engine.settle();
         engine
     }
 
-    fn read(&self, id: ValueId) -> u64 {
+    fn word(&self, id: ValueId) -> u64 {
         self.values[id.index()]
     }
 
@@ -44,7 +46,7 @@ impl Interpreter {
         let graph = &self.program.graph;
         let node = graph.nodes[index];
         let word = |memory: &[u64], address: ValueId| {
-            usize::try_from(self.read(address)).ok().and_then(|at| memory.get(at)).copied().unwrap_or(0)
+            usize::try_from(self.word(address)).ok().and_then(|at| memory.get(at)).copied().unwrap_or(0)
         };
         match node.op {
             Op::Const(value) => value,
@@ -60,7 +62,7 @@ impl Interpreter {
                     if count == 0 || matches!(op, Op::Concat(..)) {
                         operand_width = graph.width(id);
                     }
-                    operands[count] = self.read(id);
+                    operands[count] = self.word(id);
                     count += 1;
                 });
                 evaluate(op, node.width, operand_width, operands).expect("leaves and memories are read above")
@@ -71,8 +73,8 @@ impl Interpreter {
     fn commit(&mut self) {
         let program = Arc::clone(&self.program);
         for (ram, memory) in program.graph.rams.iter().zip(0..) {
-            if self.read(ram.write.enable) != 0 {
-                let (address, data) = (self.read(ram.write.address), self.read(ram.write.data));
+            if self.word(ram.write.enable) != 0 {
+                let (address, data) = (self.word(ram.write.address), self.word(ram.write.data));
                 let words: &mut Vec<u64> = &mut self.rams[memory];
                 if let Some(word) = usize::try_from(address).ok().and_then(|at| words.get_mut(at)) {
                     *word = data;
@@ -80,11 +82,11 @@ impl Interpreter {
             }
         }
         for (register, i) in program.graph.registers.iter().zip(0..) {
-            let high = |control: Option<ValueId>| control.map(|id| self.read(id) != 0);
+            let high = |control: Option<ValueId>| control.map(|id| self.word(id) != 0);
             if high(register.clear) == Some(true) {
                 self.registers[i] = register.init;
             } else if high(register.enable) != Some(false) {
-                self.registers[i] = self.read(register.next);
+                self.registers[i] = self.word(register.next);
             }
         }
     }
@@ -111,7 +113,7 @@ impl Engine for Interpreter {
             self.commit();
             self.settle();
             let stop = self.program.stop.filter(|_| until_stop);
-            if stop.is_some_and(|stop| self.read(stop) != 0) {
+            if stop.is_some_and(|stop| self.word(stop) != 0) {
                 return done + 1;
             }
         }
@@ -119,6 +121,16 @@ impl Engine for Interpreter {
     }
 
     fn value(&self, id: ValueId) -> u64 {
-        self.read(id)
+        self.word(id)
+    }
+
+    fn watch(&mut self, ids: &[ValueId]) {
+        self.watched = ids.to_vec();
+    }
+
+    fn read(&self, words: &mut [u64]) {
+        for (word, &id) in words.iter_mut().zip(&self.watched) {
+            *word = self.value(id);
+        }
     }
 }

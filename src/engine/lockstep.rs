@@ -110,6 +110,14 @@ impl Engine for Lockstep {
     fn value(&self, id: ValueId) -> u64 {
         self.engines[0].value(id)
     }
+
+    fn watch(&mut self, ids: &[ValueId]) {
+        self.engines[0].watch(ids);
+    }
+
+    fn read(&self, words: &mut [u64]) {
+        self.engines[0].read(words);
+    }
 }
 
 impl fmt::Display for Difference {

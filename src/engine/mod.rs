@@ -40,11 +40,10 @@ pub trait Engine {
     /// An observed value ([`crate::compile::Program::observed`]) as last settled.
     fn value(&self, id: ValueId) -> u64;
 
-    /// Reads many observed values: `words[i]` becomes the value of `ids[i]`. One call for all that a trace wants of a
-    /// tick, because a call for each would cost more than the tick.
-    fn read(&self, ids: &[ValueId], words: &mut [u64]) {
-        for (word, &id) in words.iter_mut().zip(ids) {
-            *word = self.value(id);
-        }
-    }
+    /// Chooses the observed values that [`Engine::read`] reads from now on.
+    fn watch(&mut self, ids: &[ValueId]);
+
+    /// Reads the watched values in their order. One call for all that a trace wants of a tick, because a call for each
+    /// would cost more than the tick.
+    fn read(&self, words: &mut [u64]);
 }

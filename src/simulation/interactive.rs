@@ -31,9 +31,7 @@ struct Trace {
 
 impl Trace {
     fn sample(&mut self, tick: u64, engine: &dyn Engine) {
-        if let (Ok(()), Some(changes)) =
-            (&self.written, self.sampler.sample_all(tick, |ids, words| engine.read(ids, words)))
-        {
+        if let (Ok(()), Some(changes)) = (&self.written, self.sampler.sample_all(tick, |words| engine.read(words))) {
             self.written = self.vcd.tick(tick, changes);
         }
     }
@@ -98,7 +96,9 @@ impl Simulation {
         let plan = Plan::new(&chosen);
         let vcd = VcdWriter::new(Box::new(out) as Box<dyn Write>, &plan)
             .map_err(|error| Diagnostic::new("C003", format!("cannot write the trace: {error}")))?;
-        self.trace = Some(Trace { sampler: Sampler::new(&plan, Window::ALL), vcd, written: Ok(()) });
+        let sampler = Sampler::new(&plan, Window::ALL);
+        self.engine.watch(sampler.values());
+        self.trace = Some(Trace { sampler, vcd, written: Ok(()) });
         Ok(())
     }
 

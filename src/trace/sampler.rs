@@ -1,5 +1,7 @@
 //! The sampler: reads each distinct value once a tick, keeps the old ones, yields what changed.
 
+use multiversion::multiversion;
+
 use super::{Plan, SlotId};
 use crate::base::ValueId;
 
@@ -48,23 +50,29 @@ impl Sampler {
         Self { words, fresh, changes: Vec::with_capacity(count), values, window, started: false }
     }
 
+    /// The values that are read, in order.
+    #[must_use]
+    pub fn values(&self) -> &[ValueId] {
+        &self.values
+    }
+
     /// Reads the values at `tick` and returns those that changed since the last call; the first time all of them.
     /// `None` outside the window, where nothing is read.
     pub fn sample(&mut self, tick: u64, read: impl Fn(ValueId) -> u64) -> Option<&[Change]> {
-        self.sample_all(tick, |values, words| {
-            for (word, &value) in words.iter_mut().zip(values) {
-                *word = read(value);
-            }
-        })
+        let values = std::mem::take(&mut self.values);
+        let read_all = |words: &mut [u64]| words.iter_mut().zip(&values).for_each(|(word, &value)| *word = read(value));
+        let sampled = self.sample_all(tick, read_all).is_some();
+        self.values = values;
+        sampled.then_some(&self.changes)
     }
 
-    /// The same with one call that reads all values: `read` puts the word of the i-th value into the i-th place.
-    pub fn sample_all(&mut self, tick: u64, read: impl FnOnce(&[ValueId], &mut [u64])) -> Option<&[Change]> {
+    /// The same with one call that reads all values: `read` puts the words of [`Sampler::values`] into the places given.
+    pub fn sample_all(&mut self, tick: u64, read: impl FnOnce(&mut [u64])) -> Option<&[Change]> {
         if tick < self.window.from || tick > self.window.to {
             return None;
         }
         self.changes.clear();
-        read(&self.values, &mut self.fresh);
+        read(&mut self.fresh);
         if self.started {
             self.compare();
         } else {
@@ -80,8 +88,7 @@ impl Sampler {
     /// about as often as a signal changes.
     fn compare(&mut self) {
         for (part, (old, new)) in self.words.chunks(64).zip(self.fresh.chunks(64)).enumerate() {
-            let pairs = old.iter().zip(new).enumerate();
-            let mut changed = pairs.fold(0, |mask, (i, (old, new))| mask | u64::from(old != new) << i);
+            let mut changed = changed(old, new);
             while changed != 0 {
                 let i = changed.trailing_zeros() as usize;
                 self.changes.push(Change { slot: SlotId::new(part * 64 + i), word: new[i] });
@@ -89,6 +96,13 @@ impl Sampler {
             }
         }
     }
+}
+
+/// Which of up to 64 words differ, as a mask; with the vector instructions that the machine turns out to have.
+#[multiversion(targets = "simd")]
+fn changed(old: &[u64], new: &[u64]) -> u64 {
+    let pairs = old.iter().zip(new).enumerate();
+    pairs.fold(0, |mask, (i, (old, new))| mask | u64::from(old != new) << i)
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use super::ascii::{put_bits, put_decimal};
 use super::{Change, Item, Plan, Slot, SlotId};
 
 /// Bytes gathered before they are written.
-const BUFFER: usize = 1 << 16;
+const BUFFER: usize = 1 << 18;
 
 /// Room for the longest line: `b`, 64 bits, and the tail.
 const LINE: usize = 80;

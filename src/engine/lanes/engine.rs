@@ -15,6 +15,7 @@ pub struct LanesEngine {
     /// The tick of the last pass at which it stands.
     at: usize,
     inputs_changed: bool,
+    watched: Vec<ValueId>,
 }
 
 impl LanesEngine {
@@ -30,7 +31,7 @@ impl LanesEngine {
         let compiled = Arc::new(Compiled::new(program, &program.observed(), path));
         let mut machine = Machine::new(compiled);
         machine.pass(1);
-        Self { machine, stop: program.stop, at: 0, inputs_changed: false }
+        Self { machine, stop: program.stop, at: 0, inputs_changed: false, watched: Vec::new() }
     }
 
     fn has_stopped(&self, tick: usize) -> bool {
@@ -93,5 +94,15 @@ impl Engine for LanesEngine {
 
     fn value(&self, id: ValueId) -> u64 {
         self.machine.history().word(self.at, self.machine.compiled().planes(id), 0)
+    }
+
+    fn watch(&mut self, ids: &[ValueId]) {
+        self.watched = ids.to_vec();
+    }
+
+    fn read(&self, words: &mut [u64]) {
+        for (word, &id) in words.iter_mut().zip(&self.watched) {
+            *word = self.value(id);
+        }
     }
 }

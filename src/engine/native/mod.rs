@@ -12,7 +12,6 @@ mod shared;
 mod unit;
 mod word;
 
-use std::cell::RefCell;
 use std::sync::Arc;
 
 use self::host::{Assembler, Code};
@@ -36,8 +35,7 @@ pub struct Native {
     /// Inputs as set; those in memory are as last settled.
     inputs: Vec<u64>,
     stale: bool,
-    /// What was read last by [`Engine::read`]; a trace reads the same values in every tick.
-    reads: RefCell<Reads>,
+    watched: Reads,
 }
 
 /// What the code of a program looks like.
@@ -86,7 +84,7 @@ impl Native {
             code: assembler.finish()?,
             inputs: vec![0; program.inputs.len()],
             stale: false,
-            reads: RefCell::default(),
+            watched: Reads::default(),
             program,
             layout,
             form,
@@ -162,11 +160,11 @@ impl Engine for Native {
         self.memory.value(&self.layout, id)
     }
 
-    fn read(&self, ids: &[ValueId], words: &mut [u64]) {
-        let mut reads = self.reads.borrow_mut();
-        if reads.ids() != ids {
-            *reads = Reads::new(&self.layout, ids);
-        }
-        reads.fill(&self.memory, words);
+    fn watch(&mut self, ids: &[ValueId]) {
+        self.watched = Reads::new(&self.layout, ids);
+    }
+
+    fn read(&self, words: &mut [u64]) {
+        self.watched.fill(&self.memory, words);
     }
 }

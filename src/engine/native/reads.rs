@@ -6,7 +6,6 @@ use crate::base::ValueId;
 /// How to read a list of values.
 #[derive(Debug, Default)]
 pub(super) struct Reads {
-    ids: Vec<ValueId>,
     constants: Vec<(usize, u64)>,
     state: Area,
     wires: Area,
@@ -23,7 +22,7 @@ struct Area {
 impl Reads {
     /// How to read the values `ids`.
     pub fn new(layout: &Layout, ids: &[ValueId]) -> Self {
-        let mut reads = Self { ids: ids.to_vec(), ..Self::default() };
+        let mut reads = Self::default();
         for (i, &id) in ids.iter().enumerate() {
             match layout.place(id) {
                 Place::Constant(value) => reads.constants.push((i, value)),
@@ -32,11 +31,6 @@ impl Reads {
             }
         }
         reads
-    }
-
-    /// The values it reads.
-    pub fn ids(&self) -> &[ValueId] {
-        &self.ids
     }
 
     /// Puts each value into its place in `words`.
