@@ -63,7 +63,7 @@ impl Assembler {
     /// `E001` when Cranelift makes no code for it.
     pub fn new() -> Result<Self, Diagnostic> {
         let mut flags = settings::builder();
-        for (name, value) in [("opt_level", "none"), ("enable_verifier", "false"), ("is_pic", "false")] {
+        for (name, value) in [("opt_level", "speed"), ("enable_verifier", "false"), ("is_pic", "false")] {
             flags.set(name, value).map_err(refused)?;
         }
         let isa = cranelift_native::builder().map_err(refused)?;
