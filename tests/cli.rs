@@ -153,6 +153,13 @@ fn the_limit_is_reported_and_ends_with_status_1() {
 }
 
 #[test]
+fn a_number_of_ticks_may_come_with_a_limit_but_not_a_smaller_one() {
+    let run = |limit| stepwright(&["run", "su1522157/table1", "--ticks", "20", "--limit", limit, "--json"]);
+    assert!(stdout(&run("30")).contains("\"stopped_by\":\"ticks\",\"ticks\":20"));
+    refuses(&run("10"), &["C007", "--limit 10", "--ticks 20"]);
+}
+
+#[test]
 fn waveforms_are_written_and_a_save_file_beside_them() {
     let folder = folder();
     let output = stepwright_in(

@@ -127,3 +127,20 @@ fn a_simulation_steps_by_hand_and_shows_what_is_inside_the_blocks() -> Result<()
     assert!(!simulation.run_until("late", 20)?);
     Ok(())
 }
+
+#[test]
+fn watched_values_read_together_are_those_read_one_by_one() {
+    let program = Arc::new(compile(&frame(), &Observe::EVERYTHING));
+    let ids = program.observed();
+    for kind in EngineKind::ALL {
+        let mut engine = kind.build(Arc::clone(&program), 100).expect("an engine");
+        engine.watch(&ids);
+        engine.set_input(0, 1);
+        for _ in 0..12 {
+            engine.advance(1, false);
+            let mut words = vec![0; ids.len()];
+            engine.read(&mut words);
+            assert_eq!(words, ids.iter().map(|&id| engine.value(id)).collect::<Vec<_>>(), "{kind}");
+        }
+    }
+}

@@ -111,7 +111,7 @@ pub struct Target {
     #[arg(short, long = "param", value_name = "NAME=VALUE", value_parser = assignment::<i64>, allow_hyphen_values = true)]
     pub param: Vec<(String, i64)>,
     /// Run so many ticks
-    #[arg(long, value_name = "N", conflicts_with_all = ["until", "limit"])]
+    #[arg(long, value_name = "N", conflicts_with = "until")]
     pub ticks: Option<u64>,
     /// Run until a net is high, or with ! low
     #[arg(long, value_name = "NET|!NET")]

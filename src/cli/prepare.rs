@@ -2,7 +2,7 @@
 
 use super::args::Target;
 use super::files::{self, Found, Modules, Text};
-use crate::base::{Report, Sources};
+use crate::base::{Diagnostic, Report, Sources};
 use crate::netlist::{self, Netlist};
 use crate::scenario::{self, Named, Scenario, Stop, UntilNet};
 use crate::simulation::{DEFAULT_LIMIT, Stimulus, resolve};
@@ -37,6 +37,7 @@ pub(super) fn find(target: &str) -> Result<(Scenario, Option<Text>, Text), Repor
 /// Prepares what was typed.
 pub(super) fn prepare(target: &Target) -> Result<Prepared, Report> {
     let (mut scenario, text, circuit) = find(&target.target)?;
+    refuse_short_limit(target)?;
     overlay(&mut scenario, target);
     build(scenario, text.as_ref(), circuit)
 }
@@ -59,6 +60,17 @@ pub(super) fn build(scenario: Scenario, text: Option<&Text>, circuit: Text) -> R
 pub(super) fn circuit_name(file: &str) -> String {
     let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
     stem.strip_prefix("circuits/").unwrap_or(stem).to_owned()
+}
+
+/// A limit that would end the run before the ticks asked for contradicts them.
+fn refuse_short_limit(typed: &Target) -> Result<(), Diagnostic> {
+    match (typed.ticks, typed.limit) {
+        (Some(ticks), Some(limit)) if limit < ticks => {
+            let diagnostic = Diagnostic::new("C007", format!("--limit {limit} is less than --ticks {ticks}"));
+            Err(diagnostic.help("leave one of them out"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// What was typed wins over what the scenario says.

@@ -101,7 +101,7 @@ proptest! {
 fn a_file_longer_than_the_buffer_is_still_what_the_crate_writes() {
     let widths: Vec<u32> = (1..=64).chain([1; 40]).collect();
     let word = |tick: u64, i: usize| tick.wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(i as u32) & mask(widths[i]);
-    let history: Vec<_> = (0..200).map(|tick| (tick, (0..widths.len()).map(|i| word(tick, i)).collect())).collect();
+    let history: Vec<_> = (0..1000).map(|tick| (tick, (0..widths.len()).map(|i| word(tick, i)).collect())).collect();
     let signals = signals(&widths);
     let text = ours(&signals, &history);
     assert!(text.len() > 4 * BUFFER);
