@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::drivers::drivers;
 use super::prepare::{self, Prepared};
-use super::run::selection;
+use super::run::{selection, signal_names};
 use super::{Ending, colored, files, judge, print};
 use crate::base::{Diagnostic, Report};
 use crate::compile::{Observe, Program, compile};
@@ -118,9 +118,7 @@ impl Ran {
         let signals = |name: &str| select.matches(name);
         let observe = Observe { signals: &signals, until: prepared.stimulus.stop.until, pulses: true };
         let program = Arc::new(compile(&prepared.netlist, &observe));
-        let all =
-            || compile(&prepared.netlist, &Observe::EVERYTHING).signals.iter().map(crate::base::Signal::name).collect();
-        select.check(&program.signals, all)?;
+        select.check(&program.signals, || signal_names(&prepared))?;
         let mut engine = engine.build(Arc::clone(&program), prepared.stimulus.stop.ticks)?;
         let (vcd, outcome) = traced(engine.as_mut(), &program, &prepared)
             .map_err(|error| Diagnostic::new("C003", format!("the trace could not be kept: {error}")))?;

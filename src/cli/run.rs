@@ -144,7 +144,7 @@ pub(super) fn selection(typed: &[String], scenario: &Scenario) -> Result<Select,
 }
 
 /// Every name that could be traced; asked only to suggest one.
-fn signal_names(prepared: &Prepared) -> Vec<String> {
+pub(super) fn signal_names(prepared: &Prepared) -> Vec<String> {
     compile(&prepared.netlist, &Observe::EVERYTHING).signals.iter().map(Signal::name).collect()
 }
 
