@@ -34,7 +34,7 @@ impl Builder {
     /// # Panics
     /// When the block's file contradicts itself.
     #[must_use]
-    pub fn build(block: &dyn Block, parameters: &Parameters) -> Body {
+    pub fn build(block: &Block, parameters: &Parameters) -> Body {
         let description = block.description();
         let mut b = Builder {
             description,
@@ -79,6 +79,11 @@ impl Builder {
     pub fn input(&self, name: &str) -> ValueId {
         let place = self.description.ports_of(Direction::Input).position(|port| port.name == name);
         ValueId::new(place.unwrap_or_else(|| panic!("{}: no input {name}", self.description.name)))
+    }
+
+    /// The values of all input ports, in the order of the description.
+    pub fn inputs(&self) -> impl Iterator<Item = ValueId> + use<> {
+        (0..self.body.inputs.len()).map(ValueId::new)
     }
 
     /// Gives an output port its value.

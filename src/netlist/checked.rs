@@ -174,7 +174,7 @@ pub enum CellKind {
     /// A block of the registry.
     Block {
         /// The block.
-        block: &'static dyn Block,
+        block: &'static Block,
         /// Its parameters.
         parameters: Parameters,
     },

@@ -101,7 +101,7 @@ impl Writer {
         self.line(format!("{gate} gate_{i} (gate_{i}_out, {});", inputs.join(", ")));
     }
 
-    fn block(&mut self, i: usize, block: &dyn Block, choice: &Choice) {
+    fn block(&mut self, i: usize, block: &Block, choice: &Choice) {
         let description = block.description();
         let parameters = parameters(block, choice);
         let mut connections: Vec<String> = description.clocked.then(|| ".clk(clk)".to_owned()).into_iter().collect();
@@ -144,7 +144,7 @@ fn constant(choice: u64, width: u32) -> String {
 }
 
 /// Parameters that the block accepts and that keep its ports within 64 bits; its defaults when the choice does not.
-fn parameters(block: &dyn Block, choice: &Choice) -> Parameters {
+fn parameters(block: &Block, choice: &Choice) -> Parameters {
     let description = block.description();
     let defaults = Parameters::defaults(description);
     let mut chosen = defaults.clone();

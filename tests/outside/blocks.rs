@@ -9,7 +9,7 @@ use stepwright::engine::{Engine, Interpreter};
 use stepwright::export;
 
 use super::duts::{Duts, Stimulus};
-use super::mixture::Mixture;
+use super::mixture::MIXTURE;
 use super::random::Random;
 use super::tools;
 use super::wave::Wave;
@@ -17,7 +17,7 @@ use super::wave::Wave;
 const TICKS: u64 = 300;
 
 /// The defaults, each parameter at either end, and three sets at random, as far as the block accepts them.
-fn corners(block: &dyn Block, random: &mut Random) -> Vec<Parameters> {
+fn corners(block: &Block, random: &mut Random) -> Vec<Parameters> {
     let description = block.description();
     let mut all = vec![Parameters::defaults(description)];
     for parameter in description.parameters {
@@ -72,10 +72,10 @@ fn icarus_agrees_on_every_block_at_the_corners_of_its_parameters() {
         return;
     }
     let mut random = Random(3);
-    let mut instances: Vec<(&'static dyn Block, Parameters)> = Vec::new();
+    let mut instances: Vec<(&'static Block, Parameters)> = Vec::new();
     for block in REGISTRY {
         // Twice: the second time other bits of the random words reach its inputs.
-        let corners = corners(*block, &mut random);
+        let corners = corners(block, &mut random);
         assert!(!corners.is_empty(), "{block:?} accepts no parameters");
         instances.extend(corners.iter().chain(&corners).map(|parameters| (*block, parameters.clone())));
     }
@@ -88,11 +88,11 @@ fn icarus_agrees_on_random_ops_of_every_kind() {
         return;
     }
     let seeds = (0..64).map(|seed| {
-        let mut parameters = Parameters::defaults(Mixture.description());
+        let mut parameters = Parameters::defaults(MIXTURE.description());
         assert!(parameters.set("SEED", seed));
         parameters
     });
-    let duts = Duts::new(seeds.map(|parameters| (&Mixture as &'static dyn Block, parameters)).collect());
+    let duts = Duts::new(seeds.map(|parameters| (&MIXTURE, parameters)).collect());
     let nodes = duts.netlist.cells.iter().flat_map(|cell| &cell.body.graph.nodes);
     let kinds: HashSet<_> = nodes.map(|node| std::mem::discriminant(&node.op)).collect();
     // All but `Copy`, which only connections are made of.

@@ -24,7 +24,7 @@ pub struct Duts {
 
 impl Duts {
     /// Places the instances; each input of each reads some bits of one of 16 random words.
-    pub fn new(instances: Vec<(&'static dyn Block, Parameters)>) -> Self {
+    pub fn new(instances: Vec<(&'static Block, Parameters)>) -> Self {
         let mut duts = Self { netlist: empty(), text: String::new() };
         for word in 0..WORDS {
             let net =
@@ -50,7 +50,7 @@ impl Duts {
         NetId::new(self.netlist.nets.len() - 1)
     }
 
-    fn place(&mut self, block: &'static dyn Block, parameters: Parameters, random: &mut Random) {
+    fn place(&mut self, block: &'static Block, parameters: Parameters, random: &mut Random) {
         let body: Arc<Body> = Arc::new(Builder::build(block, &parameters));
         let description = block.description();
         let cell = CellId::new(self.netlist.cells.len());

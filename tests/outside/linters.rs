@@ -30,7 +30,7 @@ fn verilator_and_yosys_accept_every_block_without_a_warning() {
         return;
     }
     let defaults = REGISTRY.iter().map(|block| (*block, Parameters::defaults(block.description())));
-    let duts = Duts::new(defaults.collect::<Vec<(&'static dyn Block, _)>>());
+    let duts = Duts::new(defaults.collect::<Vec<(&'static Block, _)>>());
     let folder = tempfile::tempdir().expect("a folder");
     write(folder.path(), "blocks.v", &export::verilog([&duts.netlist]));
     write(folder.path(), "duts.v", &duts.text);

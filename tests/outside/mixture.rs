@@ -2,12 +2,12 @@
 
 use stepwright::base::word::mask;
 use stepwright::base::{MemoryImage, MemoryWrite, ValueId};
-use stepwright::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use stepwright::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 use super::random::Random;
 
 /// The block.
-pub struct Mixture;
+pub static MIXTURE: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "mixture",
@@ -27,21 +27,11 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Mixture {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let random = Random(b.param("SEED") as u64);
-        let values = ["a", "b", "c"].map(|name| b.input(name)).to_vec();
-        let mut mixer = Mixer { b, random, values };
-        mixer.mix();
-    }
+fn build(b: &mut Builder) {
+    let random = Random(b.param("SEED") as u64);
+    let values = ["a", "b", "c"].map(|name| b.input(name)).to_vec();
+    let mut mixer = Mixer { b, random, values };
+    mixer.mix();
 }
 
 struct Mixer<'a> {

@@ -10,7 +10,7 @@ use crate::base::word::clog2;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct AccelerationMeter;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "acceleration_meter",
@@ -40,34 +40,28 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for AccelerationMeter {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(p: &Parameters) -> Result<(), String> {
+    // The worst case is full speed reversed on both axes: 2 WINDOW + 2 WINDOW / 2.
+    let (window, width) = (p.get("WINDOW"), p.get("WIDTH"));
+    let worst = 3 * window;
+    if worst >> width != 0 {
+        let enough = clog2(worst.unsigned_abs() + 1);
+        return Err(format!("an acceleration of up to {worst} does not fit {width} bits: take WIDTH {enough}"));
     }
+    Ok(())
+}
 
-    fn check(&self, p: &Parameters) -> Result<(), String> {
-        // The worst case is full speed reversed on both axes: 2 WINDOW + 2 WINDOW / 2.
-        let (window, width) = (p.get("WINDOW"), p.get("WIDTH"));
-        let worst = 3 * window;
-        if worst >> width != 0 {
-            let enough = clog2(worst.unsigned_abs() + 1);
-            return Err(format!("an acceleration of up to {worst} does not fit {width} bits: take WIDTH {enough}"));
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let update = window_end(b);
-        b.output("update", update);
-        let ax = b.scope("x", |b| axis(b, "x_up", "x_down", update));
-        let ay = b.scope("y", |b| axis(b, "y_up", "y_down", update));
-        let x_less = b.less(ax, ay);
-        let (larger, smaller) = (b.mux(x_less, ay, ax), b.mux(x_less, ax, ay));
-        let one = b.bit(true);
-        let half = b.shift_right(smaller, one);
-        let acceleration = b.add(larger, half);
-        b.output("acceleration", acceleration);
-    }
+fn build(b: &mut Builder) {
+    let update = window_end(b);
+    b.output("update", update);
+    let ax = b.scope("x", |b| axis(b, "x_up", "x_down", update));
+    let ay = b.scope("y", |b| axis(b, "y_up", "y_down", update));
+    let x_less = b.less(ax, ay);
+    let (larger, smaller) = (b.mux(x_less, ay, ax), b.mux(x_less, ax, ay));
+    let one = b.bit(true);
+    let half = b.shift_right(smaller, one);
+    let acceleration = b.add(larger, half);
+    b.output("acceleration", acceleration);
 }
 
 /// Counts the ticks of a window; 1 in the last of them.

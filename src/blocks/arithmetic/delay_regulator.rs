@@ -9,7 +9,7 @@ use crate::base::ValueId;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct DelayRegulator;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "delay_regulator",
@@ -35,35 +35,29 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for DelayRegulator {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(p: &Parameters) -> Result<(), String> {
+    let (least, most, width) = (p.get("MIN"), p.get("MAX"), p.get("WIDTH"));
+    if least > most {
+        return Err(format!("MIN {least} is above MAX {most}"));
     }
+    if most >> width != 0 {
+        return Err(format!("MAX {most} does not fit {width} bits: raise WIDTH"));
+    }
+    Ok(())
+}
 
-    fn check(&self, p: &Parameters) -> Result<(), String> {
-        let (least, most, width) = (p.get("MIN"), p.get("MAX"), p.get("WIDTH"));
-        if least > most {
-            return Err(format!("MIN {least} is above MAX {most}"));
-        }
-        if most >> width != 0 {
-            return Err(format!("MAX {most} does not fit {width} bits: raise WIDTH"));
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let width = b.count("WIDTH");
-        let interval = b.hold(width, b.param("MAX").unsigned_abs());
-        let difference = b.input("difference");
-        // Wide enough for interval, STEP (7 bits) times difference, and a sign.
-        let wide = b.count("DIFFERENCE_WIDTH") + width + 8;
-        let now = b.zero_extend(interval.q, wide);
-        let difference = b.sign_extend(difference, wide);
-        let next = changed(b, now, difference);
-        let next = b.slice(next, 0, width);
-        b.load(interval, next, b.input("update"), b.input("preset"));
-        b.output("interval", interval.q);
-    }
+fn build(b: &mut Builder) {
+    let width = b.count("WIDTH");
+    let interval = b.hold(width, b.param("MAX").unsigned_abs());
+    let difference = b.input("difference");
+    // Wide enough for interval, STEP (7 bits) times difference, and a sign.
+    let wide = b.count("DIFFERENCE_WIDTH") + width + 8;
+    let now = b.zero_extend(interval.q, wide);
+    let difference = b.sign_extend(difference, wide);
+    let next = changed(b, now, difference);
+    let next = b.slice(next, 0, width);
+    b.load(interval, next, b.input("update"), b.input("preset"));
+    b.output("interval", interval.q);
 }
 
 fn changed(b: &mut Builder, now: ValueId, difference: ValueId) -> ValueId {

@@ -1,9 +1,9 @@
 //! Digital difference circuit: by how much a measured word is above or below its reference.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct DifferenceCircuit;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "difference_circuit",
@@ -25,22 +25,12 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for DifferenceCircuit {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let wide = b.count("WIDTH") + 1;
-        let measured = b.zero_extend(b.input("measured"), wide);
-        let reference = b.zero_extend(b.input("reference"), wide);
-        let difference = b.sub(measured, reference);
-        b.output("difference", difference);
-    }
+fn build(b: &mut Builder) {
+    let wide = b.count("WIDTH") + 1;
+    let measured = b.zero_extend(b.input("measured"), wide);
+    let reference = b.zero_extend(b.input("reference"), wide);
+    let difference = b.sub(measured, reference);
+    b.output("difference", difference);
 }
 
 #[cfg(test)]

@@ -14,12 +14,12 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::base::{MemoryImage, ValueId};
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
-
-/// The block.
-pub struct DiodeApproximator;
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 static LEVEL: Width = Width::Add(&Width::Param("BITS"), &Width::Fixed(1));
+
+/// The block.
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "diode_approximator",
@@ -42,32 +42,22 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for DiodeApproximator {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
+fn build(b: &mut Builder) {
+    let (bits, piece_bits, level) = (b.count("BITS"), b.count("PIECE_BITS"), b.input("level"));
+    let points = breakpoints(bits, 1 << piece_bits);
+    let piece_width = bits - piece_bits;
+    // With a single piece the address is the top bit, which is 0 below full scale.
+    let piece = b.slice(level, piece_width, (piece_bits + 1).max(1));
+    let within = b.slice(level, 0, piece_width);
 
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (bits, piece_bits, level) = (b.count("BITS"), b.count("PIECE_BITS"), b.input("level"));
-        let points = breakpoints(bits, 1 << piece_bits);
-        let piece_width = bits - piece_bits;
-        // With a single piece the address is the top bit, which is 0 below full scale.
-        let piece = b.slice(level, piece_width, (piece_bits + 1).max(1));
-        let within = b.slice(level, 0, piece_width);
-
-        let (base, rise) = tables(b, &points, bits, piece);
-        b.name("piece", piece);
-        let width = bits + piece_width + 1;
-        let (rise, within) = (b.zero_extend(rise, width), b.zero_extend(within, width));
-        let product = b.mul(rise, within);
-        let share = b.slice(product, piece_width, bits + 1);
-        let value = b.add(base, share);
-        b.output("value", value);
-    }
+    let (base, rise) = tables(b, &points, bits, piece);
+    b.name("piece", piece);
+    let width = bits + piece_width + 1;
+    let (rise, within) = (b.zero_extend(rise, width), b.zero_extend(within, width));
+    let product = b.mul(rise, within);
+    let share = b.slice(product, piece_width, bits + 1);
+    let value = b.add(base, share);
+    b.output("value", value);
 }
 
 /// For the piece in work: the value at its left breakpoint, and how much higher the right one is. Full scale is one

@@ -11,7 +11,7 @@ use crate::base::ValueId;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct Divider;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "divider",
@@ -41,44 +41,38 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Divider {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(parameters: &Parameters) -> Result<(), String> {
+    let (digits, fraction) = (parameters.get("WIDTH") - 1, parameters.get("FRACTION"));
+    if fraction > digits {
+        return Err(format!("FRACTION is {fraction}, but the quotient has {digits} bits and a sign: widen WIDTH"));
     }
+    Ok(())
+}
 
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        let (digits, fraction) = (parameters.get("WIDTH") - 1, parameters.get("FRACTION"));
-        if fraction > digits {
-            return Err(format!("FRACTION is {fraction}, but the quotient has {digits} bits and a sign: widen WIDTH"));
-        }
-        Ok(())
-    }
+fn build(b: &mut Builder) {
+    let digits = b.count("WIDTH") - 1;
+    let start = b.input("start");
+    let (numerator, denominator) = (b.input("numerator"), b.input("denominator"));
+    let (dividend, minus_n) = magnitude(b, numerator);
+    let (divisor, minus_d) = magnitude(b, denominator);
+    let (high, low) = split(b, dividend, digits);
+    let width = b.width(high).max(b.width(divisor)) + 1;
+    let (high, divisor) = (b.zero_extend(high, width), b.zero_extend(divisor, width));
 
-    fn build(&self, b: &mut Builder) {
-        let digits = b.count("WIDTH") - 1;
-        let start = b.input("start");
-        let (numerator, denominator) = (b.input("numerator"), b.input("denominator"));
-        let (dividend, minus_n) = magnitude(b, numerator);
-        let (divisor, minus_d) = magnitude(b, denominator);
-        let (high, low) = split(b, dividend, digits);
-        let width = b.width(high).max(b.width(divisor)) + 1;
-        let (high, divisor) = (b.zero_extend(high, width), b.zero_extend(divisor, width));
+    let zero = b.is(divisor, 0);
+    let fits = b.less(high, divisor);
+    let overflow = b.not(fits);
+    let minus = b.xor(minus_n, minus_d);
+    let [zero, overflow, minus] = [zero, overflow, minus].map(|flag| capture(b, flag, start));
+    let divisor = capture(b, divisor, start);
+    let work = digit_loop(b, start, [high, low], divisor, digits);
 
-        let zero = b.is(divisor, 0);
-        let fits = b.less(high, divisor);
-        let overflow = b.not(fits);
-        let minus = b.xor(minus_n, minus_d);
-        let [zero, overflow, minus] = [zero, overflow, minus].map(|flag| capture(b, flag, start));
-        let divisor = capture(b, divisor, start);
-        let work = digit_loop(b, start, [high, low], divisor, digits);
-
-        let magnitude = b.zero_extend(work, digits + 1);
-        let negated = b.negate(magnitude);
-        let quotient = b.mux(minus, negated, magnitude);
-        b.output("quotient", quotient);
-        b.output("zero_denominator", zero);
-        b.output("overflow", overflow);
-    }
+    let magnitude = b.zero_extend(work, digits + 1);
+    let negated = b.negate(magnitude);
+    let quotient = b.mux(minus, negated, magnitude);
+    b.output("quotient", quotient);
+    b.output("zero_denominator", zero);
+    b.output("overflow", overflow);
 }
 
 /// The magnitude of a two's-complement word in as many bits, and its sign.

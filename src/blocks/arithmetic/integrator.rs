@@ -4,7 +4,7 @@ use crate::base::ValueId;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct Integrator;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "integrator",
@@ -32,28 +32,22 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Integrator {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(parameters: &Parameters) -> Result<(), String> {
+    if parameters.get("RATE_WIDTH") > parameters.get("BITS") + 1 {
+        return Err("RATE_WIDTH is more than BITS + 1: one step would span both limits".into());
     }
+    Ok(())
+}
 
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        if parameters.get("RATE_WIDTH") > parameters.get("BITS") + 1 {
-            return Err("RATE_WIDTH is more than BITS + 1: one step would span both limits".into());
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (bits, rate, reset) = (b.count("BITS"), b.input("rate"), b.input("reset"));
-        let level = b.hold(bits + 1, 0);
-        let next = limited_sum(b, level.q, rate);
-        b.load(level, next, None, reset);
-        let at_upper = b.sign(level.q);
-        let at_lower = b.is(level.q, 0);
-        for (name, value) in [("level", level.q), ("at_lower", at_lower), ("at_upper", at_upper)] {
-            b.output(name, value);
-        }
+fn build(b: &mut Builder) {
+    let (bits, rate, reset) = (b.count("BITS"), b.input("rate"), b.input("reset"));
+    let level = b.hold(bits + 1, 0);
+    let next = limited_sum(b, level.q, rate);
+    b.load(level, next, None, reset);
+    let at_upper = b.sign(level.q);
+    let at_lower = b.is(level.q, 0);
+    for (name, value) in [("level", level.q), ("at_lower", at_lower), ("at_upper", at_upper)] {
+        b.output(name, value);
     }
 }
 

@@ -1,11 +1,11 @@
 //! Limit inverter: the rest that is left to the upper limit.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
-
-/// The block.
-pub struct LimitInverter;
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 static LEVEL: Width = Width::Add(&Width::Param("BITS"), &Width::Fixed(1));
+
+/// The block.
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "limit_inverter",
@@ -22,21 +22,11 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for LimitInverter {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (bits, level) = (b.count("BITS"), b.input("level"));
-        let limit = b.constant(1 << bits, bits + 1);
-        let rest = b.sub(limit, level);
-        b.output("rest", rest);
-    }
+fn build(b: &mut Builder) {
+    let (bits, level) = (b.count("BITS"), b.input("level"));
+    let limit = b.constant(1 << bits, bits + 1);
+    let rest = b.sub(limit, level);
+    b.output("rest", rest);
 }
 
 #[cfg(test)]

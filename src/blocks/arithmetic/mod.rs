@@ -16,7 +16,5 @@ pub mod rounder;
 pub mod square_rooter;
 pub mod squaring_circuit;
 pub mod summer;
-pub mod summer_3;
-pub mod summer_4;
 pub mod vector_magnitude;
 pub mod velocity_compensator;

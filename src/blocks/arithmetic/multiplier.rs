@@ -13,7 +13,7 @@ use crate::base::word::MAX_WIDTH;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct Multiplier;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "multiplier",
@@ -39,37 +39,31 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Multiplier {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(parameters: &Parameters) -> Result<(), String> {
+    let [a, b, drop] = ["A_WIDTH", "B_WIDTH", "DROP"].map(|name| parameters.get(name));
+    let excess = (a + b - i64::from(MAX_WIDTH)).max(0);
+    if drop < excess {
+        return Err(format!("the product has {} bits, {excess} more than 64: DROP must cut as many", a + b));
     }
+    if drop >= a + b {
+        return Err(format!("DROP is {drop}: nothing is left of a product of {} bits", a + b));
+    }
+    if a.min(b) + excess > i64::from(MAX_WIDTH) {
+        return Err(format!("a word of {a} bits times one of {b} is too wide for two partial products"));
+    }
+    Ok(())
+}
 
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        let [a, b, drop] = ["A_WIDTH", "B_WIDTH", "DROP"].map(|name| parameters.get(name));
-        let excess = (a + b - i64::from(MAX_WIDTH)).max(0);
-        if drop < excess {
-            return Err(format!("the product has {} bits, {excess} more than 64: DROP must cut as many", a + b));
-        }
-        if drop >= a + b {
-            return Err(format!("DROP is {drop}: nothing is left of a product of {} bits", a + b));
-        }
-        if a.min(b) + excess > i64::from(MAX_WIDTH) {
-            return Err(format!("a word of {a} bits times one of {b} is too wide for two partial products"));
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let [narrow, wide] = by_width(b, b.input("a"), b.input("b"));
-        let full = b.width(narrow) + b.width(wide);
-        let cut = full.saturating_sub(MAX_WIDTH);
-        let product = if cut == 0 { product(b, narrow, wide, full) } else { partial_products(b, narrow, wide, cut) };
-        let low = b.count("DROP") - cut;
-        let kept = b.slice(product, low, b.width(product) - low);
-        let width = b.count("WIDTH");
-        let result = words::narrow(b, kept, width);
-        clocked(b, result, "product");
-    }
+fn build(b: &mut Builder) {
+    let [narrow, wide] = by_width(b, b.input("a"), b.input("b"));
+    let full = b.width(narrow) + b.width(wide);
+    let cut = full.saturating_sub(MAX_WIDTH);
+    let product = if cut == 0 { product(b, narrow, wide, full) } else { partial_products(b, narrow, wide, cut) };
+    let low = b.count("DROP") - cut;
+    let kept = b.slice(product, low, b.width(product) - low);
+    let width = b.count("WIDTH");
+    let result = words::narrow(b, kept, width);
+    clocked(b, result, "product");
 }
 
 fn by_width(b: &Builder, x: ValueId, y: ValueId) -> [ValueId; 2] {

@@ -9,10 +9,10 @@
 //! ```
 
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct OnesComplementAccumulator;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "ones_complement_accumulator",
@@ -42,32 +42,22 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for OnesComplementAccumulator {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let width = b.count("WIDTH");
-        let sum = b.hold(width, 0);
-        let (first, second, clear) = (b.input("first"), b.input("second"), b.input("clear"));
-        let operand = b.or(first, second);
-        let operand = b.name("operand", operand);
-        let next = add_around(b, sum.q, operand);
-        let sum = b.load(sum, next, None, clear);
-        let sign = b.sign(sum);
-        let sign_inverse = b.not(sign);
-        let negative = b.zero_extend(sign, width);
-        let value = b.add(sum, negative);
-        b.output("sum", sum);
-        b.output("value", value);
-        b.output("sign", sign);
-        b.output("sign_inverse", sign_inverse);
-    }
+fn build(b: &mut Builder) {
+    let width = b.count("WIDTH");
+    let sum = b.hold(width, 0);
+    let (first, second, clear) = (b.input("first"), b.input("second"), b.input("clear"));
+    let operand = b.or(first, second);
+    let operand = b.name("operand", operand);
+    let next = add_around(b, sum.q, operand);
+    let sum = b.load(sum, next, None, clear);
+    let sign = b.sign(sum);
+    let sign_inverse = b.not(sign);
+    let negative = b.zero_extend(sign, width);
+    let value = b.add(sum, negative);
+    b.output("sum", sum);
+    b.output("value", value);
+    b.output("sign", sign);
+    b.output("sign_inverse", sign_inverse);
 }
 
 /// The one's-complement sum of two words.

@@ -4,7 +4,7 @@ use crate::base::word::encode;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct Reference;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "reference",
@@ -21,30 +21,24 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for Reference {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(parameters: &Parameters) -> Result<(), String> {
+    let (width, value) = (parameters.get("WIDTH"), parameters.get("VALUE"));
+    match encode(value.into(), width as u32, true) {
+        Some(_) => Ok(()),
+        None => Err(format!("VALUE is {value}, which does not fit {width} bits with a sign: widen WIDTH")),
     }
+}
 
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        let (width, value) = (parameters.get("WIDTH"), parameters.get("VALUE"));
-        match encode(value.into(), width as u32, true) {
-            Some(_) => Ok(()),
-            None => Err(format!("VALUE is {value}, which does not fit {width} bits with a sign: widen WIDTH")),
-        }
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (value, width) = (b.param("VALUE"), b.count("WIDTH"));
-        let value = b.constant(value as u64, width);
-        b.output("value", value);
-    }
+fn build(b: &mut Builder) {
+    let (value, width) = (b.param("VALUE"), b.count("WIDTH"));
+    let value = b.constant(value as u64, width);
+    b.output("value", value);
 }
 
 #[cfg(test)]
 mod tests {
+    use crate::blocks::Parameters;
     use crate::blocks::bench::Bench;
-    use crate::blocks::{Block, Parameters};
 
     #[test]
     fn it_gives_its_value_with_either_sign() {
@@ -60,7 +54,7 @@ mod tests {
         parameters.set("WIDTH", 3);
         for (value, fits) in [(3, true), (4, false), (-4, true), (-5, false)] {
             parameters.set("VALUE", value);
-            assert_eq!(super::Reference.check(&parameters).is_ok(), fits, "{value}");
+            assert_eq!(super::BLOCK.check(&parameters).is_ok(), fits, "{value}");
         }
     }
 }

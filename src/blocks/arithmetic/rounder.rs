@@ -4,7 +4,7 @@ use super::words::{clocked, narrow};
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct Rounder;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "rounder",
@@ -28,30 +28,24 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Rounder {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(parameters: &Parameters) -> Result<(), String> {
+    let (width, fraction) = (parameters.get("A_WIDTH"), parameters.get("FRACTION"));
+    if fraction >= width {
+        return Err(format!("FRACTION is {fraction}: nothing is left of a word of {width} bits"));
     }
+    Ok(())
+}
 
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        let (width, fraction) = (parameters.get("A_WIDTH"), parameters.get("FRACTION"));
-        if fraction >= width {
-            return Err(format!("FRACTION is {fraction}: nothing is left of a word of {width} bits"));
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (a, fraction) = (b.input("a"), b.count("FRACTION"));
-        let half_bit = b.pick(a, fraction - 1);
-        let whole = b.slice(a, fraction, b.width(a) - fraction);
-        let width = b.width(whole) + 1;
-        let (whole, carry) = (b.sign_extend(whole, width), b.zero_extend(half_bit, width));
-        let sum = b.add(whole, carry);
-        let kept = b.count("WIDTH");
-        let result = narrow(b, sum, kept);
-        clocked(b, result, "rounded");
-    }
+fn build(b: &mut Builder) {
+    let (a, fraction) = (b.input("a"), b.count("FRACTION"));
+    let half_bit = b.pick(a, fraction - 1);
+    let whole = b.slice(a, fraction, b.width(a) - fraction);
+    let width = b.width(whole) + 1;
+    let (whole, carry) = (b.sign_extend(whole, width), b.zero_extend(half_bit, width));
+    let sum = b.add(whole, carry);
+    let kept = b.count("WIDTH");
+    let result = narrow(b, sum, kept);
+    clocked(b, result, "rounded");
 }
 
 #[cfg(test)]

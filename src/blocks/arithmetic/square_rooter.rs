@@ -7,10 +7,10 @@
 
 use super::words::{append, capture, digit_counter};
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct SquareRooter;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "square_rooter",
@@ -40,33 +40,23 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for SquareRooter {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
+fn build(b: &mut Builder) {
+    let (pairs, digits) = (b.count("PAIRS"), b.count("PAIRS") + b.count("EXTRA"));
+    let (start, radicand) = (b.input("start"), b.input("radicand"));
+    let sign = b.sign(radicand);
+    let negative = capture(b, sign, start);
+    b.output("negative", negative);
 
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
+    let clocked = digit_counter(b, start, digits);
+    let rest = b.hold(2 * pairs, 0);
+    let (taken, zeros) = (b.slice(radicand, 0, 2 * pairs), b.constant(0, 2));
+    let pair = b.slice(rest.q, 2 * pairs - 2, 2);
+    let shifted = append(b, rest.q, zeros);
+    let next = b.mux(start, taken, shifted);
+    b.load(rest, next, clocked, None);
 
-    fn build(&self, b: &mut Builder) {
-        let (pairs, digits) = (b.count("PAIRS"), b.count("PAIRS") + b.count("EXTRA"));
-        let (start, radicand) = (b.input("start"), b.input("radicand"));
-        let sign = b.sign(radicand);
-        let negative = capture(b, sign, start);
-        b.output("negative", negative);
-
-        let clocked = digit_counter(b, start, digits);
-        let rest = b.hold(2 * pairs, 0);
-        let (taken, zeros) = (b.slice(radicand, 0, 2 * pairs), b.constant(0, 2));
-        let pair = b.slice(rest.q, 2 * pairs - 2, 2);
-        let shifted = append(b, rest.q, zeros);
-        let next = b.mux(start, taken, shifted);
-        b.load(rest, next, clocked, None);
-
-        let root = root_registers(b, start, clocked, pair, digits);
-        b.output("root", root);
-    }
+    let root = root_registers(b, start, clocked, pair, digits);
+    b.output("root", root);
 }
 
 /// Remainder and root; returns the root.

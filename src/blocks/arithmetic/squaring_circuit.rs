@@ -4,7 +4,7 @@ use crate::base::word::MAX_WIDTH;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct SquaringCircuit;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "squaring_circuit",
@@ -27,30 +27,24 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for SquaringCircuit {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(parameters: &Parameters) -> Result<(), String> {
+    let (bits, drop) = (2 * parameters.get("A_WIDTH"), parameters.get("DROP"));
+    if drop < bits - i64::from(MAX_WIDTH) {
+        return Err(format!("the square has {bits} bits: DROP must cut all above 64"));
     }
+    if drop >= bits {
+        return Err(format!("DROP is {drop}: nothing is left of a square of {bits} bits"));
+    }
+    Ok(())
+}
 
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        let (bits, drop) = (2 * parameters.get("A_WIDTH"), parameters.get("DROP"));
-        if drop < bits - i64::from(MAX_WIDTH) {
-            return Err(format!("the square has {bits} bits: DROP must cut all above 64"));
-        }
-        if drop >= bits {
-            return Err(format!("DROP is {drop}: nothing is left of a square of {bits} bits"));
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let [width, drop, kept] = ["A_WIDTH", "DROP", "WIDTH"].map(|name| b.param(name));
-        let parameters = [("A_WIDTH", width), ("B_WIDTH", width), ("DROP", drop), ("WIDTH", kept)];
-        let (strobe, a) = (b.input("strobe"), b.input("a"));
-        let square = b.block("multiplier", "multiplier", &parameters, &[("strobe", strobe), ("a", a), ("b", a)]);
-        b.output("square", square[0]);
-        b.output("overflow", square[1]);
-    }
+fn build(b: &mut Builder) {
+    let [width, drop, kept] = ["A_WIDTH", "DROP", "WIDTH"].map(|name| b.param(name));
+    let parameters = [("A_WIDTH", width), ("B_WIDTH", width), ("DROP", drop), ("WIDTH", kept)];
+    let (strobe, a) = (b.input("strobe"), b.input("a"));
+    let square = b.block("multiplier", "multiplier", &parameters, &[("strobe", strobe), ("a", a), ("b", a)]);
+    b.output("square", square[0]);
+    b.output("overflow", square[1]);
 }
 
 #[cfg(test)]

@@ -3,15 +3,15 @@
 use std::f64::consts::PI;
 
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
-
-/// The block.
-pub struct VectorMagnitude;
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// Directions, evenly spread over 0 to 45 degrees, along which the vector is measured.
 const DIRECTIONS: u32 = 4;
 /// Fraction bits of their cosines and sines.
 const FRACTION: u32 = 12;
+
+/// The block.
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "vector_magnitude",
@@ -35,35 +35,25 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for VectorMagnitude {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn build(b: &mut Builder) {
+    let width = b.count("WIDTH");
+    let [x, y] = ["x", "y"].map(|name| {
+        let word = b.input(name);
+        let (sign, negated) = (b.sign(word), b.negate(word));
+        b.mux(sign, negated, word)
+    });
+    let y_larger = b.less(x, y);
+    let (large, small) = (b.mux(y_larger, y, x), b.mux(y_larger, x, y));
+    let wide = width + FRACTION + 1;
+    let (large, small) = (b.zero_extend(large, wide), b.zero_extend(small, wide));
+    let mut longest = b.constant(0, wide);
+    for (cosine, sine) in directions() {
+        let projection = project(b, (large, cosine), (small, sine));
+        let longer = b.less(longest, projection);
+        longest = b.mux(longer, projection, longest);
     }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let width = b.count("WIDTH");
-        let [x, y] = ["x", "y"].map(|name| {
-            let word = b.input(name);
-            let (sign, negated) = (b.sign(word), b.negate(word));
-            b.mux(sign, negated, word)
-        });
-        let y_larger = b.less(x, y);
-        let (large, small) = (b.mux(y_larger, y, x), b.mux(y_larger, x, y));
-        let wide = width + FRACTION + 1;
-        let (large, small) = (b.zero_extend(large, wide), b.zero_extend(small, wide));
-        let mut longest = b.constant(0, wide);
-        for (cosine, sine) in directions() {
-            let projection = project(b, (large, cosine), (small, sine));
-            let longer = b.less(longest, projection);
-            longest = b.mux(longer, projection, longest);
-        }
-        let magnitude = b.slice(longest, FRACTION, width + 1);
-        b.output("magnitude", magnitude);
-    }
+    let magnitude = b.slice(longest, FRACTION, width + 1);
+    b.output("magnitude", magnitude);
 }
 
 fn project(b: &mut Builder, (large, cosine): (ValueId, u64), (small, sine): (ValueId, u64)) -> ValueId {

@@ -9,12 +9,12 @@
 use crate::base::ValueId;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
-/// The block.
-pub struct VelocityCompensator;
-
 /// The rate follows the relative deviation by 2^-GAIN of it a tick. The loop of FIG. 4 answers five ticks late; it
 /// would swing from 0.35 on.
 const GAIN: u32 = 3;
+
+/// The block.
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "velocity_compensator",
@@ -46,39 +46,33 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for VelocityCompensator {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(parameters: &Parameters) -> Result<(), String> {
+    let (start, bits) = (parameters.get("START_RATE"), parameters.get("RATE_BITS"));
+    if start >> bits != 0 {
+        return Err(format!("START_RATE is {start}, which does not fit RATE_BITS = {bits}"));
     }
-
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        let (start, bits) = (parameters.get("START_RATE"), parameters.get("RATE_BITS"));
-        if start >> bits != 0 {
-            return Err(format!("START_RATE is {start}, which does not fit RATE_BITS = {bits}"));
-        }
-        if parameters.get("VELOCITY_BITS") >= parameters.get("WIDTH") {
-            return Err("VELOCITY_BITS is not below WIDTH: no coordinate can move so fast".into());
-        }
-        Ok(())
+    if parameters.get("VELOCITY_BITS") >= parameters.get("WIDTH") {
+        return Err("VELOCITY_BITS is not below WIDTH: no coordinate can move so fast".into());
     }
+    Ok(())
+}
 
-    fn build(&self, b: &mut Builder) {
-        let (enable, x, y) = (b.input("enable"), b.input("x"), b.input("y"));
-        let (dx, dy) = (derivative(b, x), derivative(b, y));
-        let width = i64::from(b.width(dx));
-        let velocity = b.block("magnitude", "vector_magnitude", &[("WIDTH", width)], &[("x", dx), ("y", dy)])[0];
-        b.name("velocity", velocity);
-        let deviation = deviation(b, velocity);
-        b.name_signed("deviation", deviation);
+fn build(b: &mut Builder) {
+    let (enable, x, y) = (b.input("enable"), b.input("x"), b.input("y"));
+    let (dx, dy) = (derivative(b, x), derivative(b, y));
+    let width = i64::from(b.width(dx));
+    let velocity = b.block("magnitude", "vector_magnitude", &[("WIDTH", width)], &[("x", dx), ("y", dy)])[0];
+    b.name("velocity", velocity);
+    let deviation = deviation(b, velocity);
+    b.name_signed("deviation", deviation);
 
-        let rate = b.hold(b.count("RATE_BITS"), b.param("START_RATE") as u64);
-        let next = regulated(b, rate.q, deviation);
-        // The first difference spans the tick in which the point had not begun to move.
-        let moving = b.delay(enable);
-        let stopped = b.not(enable);
-        b.load(rate, next, moving, stopped);
-        b.output("rate", rate.q);
-    }
+    let rate = b.hold(b.count("RATE_BITS"), b.param("START_RATE") as u64);
+    let next = regulated(b, rate.q, deviation);
+    // The first difference spans the tick in which the point had not begun to move.
+    let moving = b.delay(enable);
+    let stopped = b.not(enable);
+    b.load(rate, next, moving, stopped);
+    b.output("rate", rate.q);
 }
 
 /// How much a coordinate has changed since the tick before, in one more bit.

@@ -26,23 +26,6 @@ pub(super) fn clocked(b: &mut Builder, (word, overflow): (ValueId, ValueId), out
     }
 }
 
-/// Builds a summer: `sum` holds the inputs `terms`, those of the mask `NEGATIVE` subtracted. Input `a` has
-/// `A_WIDTH` bits, and so on.
-pub(super) fn build_summer(b: &mut Builder, terms: &[&str]) {
-    let negative = b.param("NEGATIVE");
-    let words: Vec<ValueId> = terms.iter().map(|name| b.input(name)).collect();
-    let widest = words.iter().map(|&word| b.width(word)).max().unwrap_or(1);
-    // Up to four terms of `widest` bits: two more bits hold every sum.
-    let mut sum = b.constant(0, widest + 2);
-    for (i, &word) in words.iter().enumerate() {
-        let term = b.sign_extend(word, widest + 2);
-        sum = if negative >> i & 1 == 1 { b.sub(sum, term) } else { b.add(sum, term) };
-    }
-    let width = b.count("WIDTH");
-    let result = narrow(b, sum, width);
-    clocked(b, result, "sum");
-}
-
 /// A register that takes `value` when `when` is 1.
 pub(super) fn capture(b: &mut Builder, value: ValueId, when: ValueId) -> ValueId {
     let held = b.hold(b.width(value), 0);
@@ -74,11 +57,4 @@ pub(super) fn digit_counter(b: &mut Builder, start: ValueId, digits: u32) -> Val
     let next = b.mux(start, all, fewer);
     b.load(left, next, clocked, None);
     clocked
-}
-
-/// The sum or difference of `terms` as a test knows it without the block: in 128 bits.
-#[cfg(test)]
-pub(super) fn polar_sum(terms: &[i64], negative: i64) -> i128 {
-    let polar = |(i, &term): (usize, &i64)| if negative >> i & 1 == 1 { -i128::from(term) } else { term.into() };
-    terms.iter().enumerate().map(polar).sum()
 }

@@ -1,9 +1,9 @@
 //! Decoder: raises the one of several lines that a code names.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct Decoder;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "decoder",
@@ -19,20 +19,10 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for Decoder {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let one = b.constant(1, b.count("LINES"));
-        let lines = b.shift_left(one, b.input("code"));
-        b.output("lines", lines);
-    }
+fn build(b: &mut Builder) {
+    let one = b.constant(1, b.count("LINES"));
+    let lines = b.shift_left(one, b.input("code"));
+    b.output("lines", lines);
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Direction control: whether a pulse counts up, from the quadrant and the sign of the coefficient it belongs to.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
-pub struct DirectionControl;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "direction_control",
@@ -26,25 +26,15 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for DirectionControl {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let quadrant = b.input("quadrant");
-        let (q0, q1) = (b.pick(quadrant, 0), b.pick(quadrant, 1));
-        let cosine_up = b.xor(q1, b.input("negative_cosine"));
-        let sine_rises = b.xor(q1, q0);
-        let sine_down = b.xor(sine_rises, b.input("negative_sine"));
-        let sine_up = b.not(sine_down);
-        let up = b.mux(b.input("cosine"), cosine_up, sine_up);
-        b.output("up", up);
-    }
+fn build(b: &mut Builder) {
+    let quadrant = b.input("quadrant");
+    let (q0, q1) = (b.pick(quadrant, 0), b.pick(quadrant, 1));
+    let cosine_up = b.xor(q1, b.input("negative_cosine"));
+    let sine_rises = b.xor(q1, q0);
+    let sine_down = b.xor(sine_rises, b.input("negative_sine"));
+    let sine_up = b.not(sine_down);
+    let up = b.mux(b.input("cosine"), cosine_up, sine_up);
+    b.output("up", up);
 }
 
 #[cfg(test)]

@@ -5,10 +5,10 @@
 //!   b --->[    ]---> a_is_greater
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct Order;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "order",
@@ -27,25 +27,15 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for Order {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (first, second) = (b.input("a"), b.input("b"));
-        let less = b.less(first, second);
-        let greater = b.mux(less, second, first);
-        let lesser = b.mux(less, first, second);
-        let a_is_greater = b.not(less);
-        b.output("greater", greater);
-        b.output("lesser", lesser);
-        b.output("a_is_greater", a_is_greater);
-    }
+fn build(b: &mut Builder) {
+    let (first, second) = (b.input("a"), b.input("b"));
+    let less = b.less(first, second);
+    let greater = b.mux(less, second, first);
+    let lesser = b.mux(less, first, second);
+    let a_is_greater = b.not(less);
+    b.output("greater", greater);
+    b.output("lesser", lesser);
+    b.output("a_is_greater", a_is_greater);
 }
 
 #[cfg(test)]

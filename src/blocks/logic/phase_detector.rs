@@ -1,10 +1,10 @@
 //! Phase detector: tells when a sine and a cosine wave arrive at the quarter points.
 
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct PhaseDetector;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "phase_detector",
@@ -23,22 +23,12 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for PhaseDetector {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (sine, cosine) = (b.input("sine"), b.input("cosine"));
-        let [half, full] = arrivals(b, sine);
-        let [quarter, three_quarters] = arrivals(b, cosine);
-        let strobes = b.join(&[quarter, half, three_quarters, full]);
-        b.output("strobes", strobes);
-    }
+fn build(b: &mut Builder) {
+    let (sine, cosine) = (b.input("sine"), b.input("cosine"));
+    let [half, full] = arrivals(b, sine);
+    let [quarter, three_quarters] = arrivals(b, cosine);
+    let strobes = b.join(&[quarter, half, three_quarters, full]);
+    b.output("strobes", strobes);
 }
 
 /// Whether the wave is 0 and was above, was below, in the tick before.

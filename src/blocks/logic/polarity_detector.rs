@@ -10,7 +10,7 @@ use crate::base::ValueId;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct PolarityDetector;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "polarity_detector",
@@ -36,49 +36,43 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for PolarityDetector {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(p: &Parameters) -> Result<(), String> {
+    let (width, magnitude, guard) = (p.get("WIDTH"), p.get("MAGNITUDE_WIDTH"), p.get("GUARD"));
+    if magnitude > width {
+        return Err(format!("a rate of {magnitude} bits never fills from words of {width}: raise WIDTH"));
     }
+    if guard >= magnitude {
+        return Err(format!("GUARD {guard} leaves no bit of a magnitude of {magnitude}: lower GUARD"));
+    }
+    Ok(())
+}
 
-    fn check(&self, p: &Parameters) -> Result<(), String> {
-        let (width, magnitude, guard) = (p.get("WIDTH"), p.get("MAGNITUDE_WIDTH"), p.get("GUARD"));
-        if magnitude > width {
-            return Err(format!("a rate of {magnitude} bits never fills from words of {width}: raise WIDTH"));
+fn build(b: &mut Builder) {
+    let (word, load, guard) = (b.input("word"), b.input("load"), b.count("GUARD"));
+    let width = b.count("MAGNITUDE_WIDTH");
+    let negative = b.sign(word);
+    let opposite = b.negate(word);
+    let absolute = b.mux(negative, opposite, word);
+    let low = b.slice(absolute, 0, width - guard);
+    let rate = if guard > 0 {
+        let zeros = b.constant(0, guard);
+        b.concat(low, zeros)
+    } else {
+        low
+    };
+    let magnitude = keep(b, rate, load);
+    b.output("magnitude", magnitude);
+    let sign = keep(b, negative, load);
+    b.output("negative", sign);
+    let above = b.count("WIDTH") - (width - guard);
+    let out_of_range = match above {
+        0 => b.bit(false),
+        above => {
+            let rest = b.slice(absolute, width - guard, above);
+            b.reduce_or(rest)
         }
-        if guard >= magnitude {
-            return Err(format!("GUARD {guard} leaves no bit of a magnitude of {magnitude}: lower GUARD"));
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (word, load, guard) = (b.input("word"), b.input("load"), b.count("GUARD"));
-        let width = b.count("MAGNITUDE_WIDTH");
-        let negative = b.sign(word);
-        let opposite = b.negate(word);
-        let absolute = b.mux(negative, opposite, word);
-        let low = b.slice(absolute, 0, width - guard);
-        let rate = if guard > 0 {
-            let zeros = b.constant(0, guard);
-            b.concat(low, zeros)
-        } else {
-            low
-        };
-        let magnitude = keep(b, rate, load);
-        b.output("magnitude", magnitude);
-        let sign = keep(b, negative, load);
-        b.output("negative", sign);
-        let above = b.count("WIDTH") - (width - guard);
-        let out_of_range = match above {
-            0 => b.bit(false),
-            above => {
-                let rest = b.slice(absolute, width - guard, above);
-                b.reduce_or(rest)
-            }
-        };
-        b.output("out_of_range", out_of_range);
-    }
+    };
+    b.output("out_of_range", out_of_range);
 }
 
 fn keep(b: &mut Builder, value: ValueId, load: ValueId) -> ValueId {

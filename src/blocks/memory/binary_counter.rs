@@ -1,9 +1,9 @@
 //! Binary counter: counts pulses, tells its overflow, and is cleared.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct BinaryCounter;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "binary_counter",
@@ -22,27 +22,17 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for BinaryCounter {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let width = b.count("WIDTH");
-        let (step, clear) = (b.input("step"), b.input("clear"));
-        let count = b.hold(width, 0);
-        let one = b.constant(1, width);
-        let next = b.add(count.q, one);
-        b.load(count, next, step, clear);
-        b.output("count", count.q);
-        let last = b.reduce_and(count.q);
-        let overflow = b.and(step, last);
-        b.output("overflow", overflow);
-    }
+fn build(b: &mut Builder) {
+    let width = b.count("WIDTH");
+    let (step, clear) = (b.input("step"), b.input("clear"));
+    let count = b.hold(width, 0);
+    let one = b.constant(1, width);
+    let next = b.add(count.q, one);
+    b.load(count, next, step, clear);
+    b.output("count", count.q);
+    let last = b.reduce_and(count.q);
+    let overflow = b.and(step, last);
+    b.output("overflow", overflow);
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct Checksum;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "checksum",
@@ -26,29 +26,23 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Checksum {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(parameters: &Parameters) -> Result<(), String> {
+    if parameters.get("WIDTH") > parameters.get("SUM_WIDTH") {
+        return Err("WIDTH is greater than SUM_WIDTH: the sum would lose bits of the word".into());
     }
+    Ok(())
+}
 
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        if parameters.get("WIDTH") > parameters.get("SUM_WIDTH") {
-            return Err("WIDTH is greater than SUM_WIDTH: the sum would lose bits of the word".into());
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let width = b.count("SUM_WIDTH");
-        let sum = b.hold(width, 0);
-        let (top, rest) = (b.sign(sum.q), b.slice(sum.q, 0, width - 1));
-        let rotated = b.concat(rest, top);
-        let word = b.input("word");
-        let word = b.zero_extend(word, width);
-        let next = b.xor(rotated, word);
-        let sum = b.load(sum, next, None, None);
-        b.output("sum", sum);
-    }
+fn build(b: &mut Builder) {
+    let width = b.count("SUM_WIDTH");
+    let sum = b.hold(width, 0);
+    let (top, rest) = (b.sign(sum.q), b.slice(sum.q, 0, width - 1));
+    let rotated = b.concat(rest, top);
+    let word = b.input("word");
+    let word = b.zero_extend(word, width);
+    let next = b.xor(rotated, word);
+    let sum = b.load(sum, next, None, None);
+    b.output("sum", sum);
 }
 
 #[cfg(test)]

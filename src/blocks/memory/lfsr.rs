@@ -7,7 +7,7 @@
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct Lfsr;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "lfsr",
@@ -26,33 +26,27 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Lfsr {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, parameters: &Parameters) -> Result<(), String> {
-        let width = parameters.get("WIDTH");
-        for name in ["TAPS", "SEED"] {
-            if parameters.get(name) % (1 << width) == 0 {
-                return Err(format!("{name} has no 1 in its low {width} bits: the register would stand still at 0"));
-            }
+fn check(parameters: &Parameters) -> Result<(), String> {
+    let width = parameters.get("WIDTH");
+    for name in ["TAPS", "SEED"] {
+        if parameters.get(name) % (1 << width) == 0 {
+            return Err(format!("{name} has no 1 in its low {width} bits: the register would stand still at 0"));
         }
-        Ok(())
     }
+    Ok(())
+}
 
-    fn build(&self, b: &mut Builder) {
-        let width = b.count("WIDTH");
-        let q = b.hold(width, u64::from(b.count("SEED")));
-        let low = b.pick(q.q, 0);
-        let rest = b.slice(q.q, 1, width - 1);
-        let shifted = b.zero_extend(rest, width);
-        let taps = b.constant(u64::from(b.count("TAPS")), width);
-        let feedback = b.gate(low, taps);
-        let next = b.xor(shifted, feedback);
-        let q = b.load(q, next, None, None);
-        b.output("q", q);
-    }
+fn build(b: &mut Builder) {
+    let width = b.count("WIDTH");
+    let q = b.hold(width, u64::from(b.count("SEED")));
+    let low = b.pick(q.q, 0);
+    let rest = b.slice(q.q, 1, width - 1);
+    let shifted = b.zero_extend(rest, width);
+    let taps = b.constant(u64::from(b.count("TAPS")), width);
+    let feedback = b.gate(low, taps);
+    let next = b.xor(shifted, feedback);
+    let q = b.load(q, next, None, None);
+    b.output("q", q);
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::base::{MemoryImage, MemoryWrite};
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct PresettableMemory;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "presettable_memory",
@@ -41,28 +41,22 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for PresettableMemory {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(p: &Parameters) -> Result<(), String> {
+    let largest = p.get("ENDS").max(p.get("MIDDLE"));
+    let width = p.get("WIDTH");
+    if largest >> width != 0 {
+        return Err(format!("a word of {largest} does not fit {width} bits: lower ENDS and MIDDLE or raise WIDTH"));
     }
+    Ok(())
+}
 
-    fn check(&self, p: &Parameters) -> Result<(), String> {
-        let largest = p.get("ENDS").max(p.get("MIDDLE"));
-        let width = p.get("WIDTH");
-        if largest >> width != 0 {
-            return Err(format!("a word of {largest} does not fit {width} bits: lower ENDS and MIDDLE or raise WIDTH"));
-        }
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let words: Vec<_> = (0..1 << b.count("ADDRESS_WIDTH")).map(|i| power_on_word(b, i)).collect();
-        let image = MemoryImage::from_words(b.count("WIDTH"), words);
-        let write =
-            MemoryWrite { enable: b.input("write"), address: b.input("write_address"), data: b.input("write_word") };
-        let word = b.ram(image, write, b.input("address"));
-        b.output("word", word);
-    }
+fn build(b: &mut Builder) {
+    let words: Vec<_> = (0..1 << b.count("ADDRESS_WIDTH")).map(|i| power_on_word(b, i)).collect();
+    let image = MemoryImage::from_words(b.count("WIDTH"), words);
+    let write =
+        MemoryWrite { enable: b.input("write"), address: b.input("write_address"), data: b.input("write_word") };
+    let word = b.ram(image, write, b.input("address"));
+    b.output("word", word);
 }
 
 fn power_on_word(b: &Builder, i: i64) -> u64 {

@@ -6,10 +6,10 @@
 //!   word ---->[   q    ]---> q
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct Register;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "register",
@@ -27,21 +27,11 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Register {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (word, enable, clear) = (b.input("word"), b.input("enable"), b.input("clear"));
-        let q = b.hold(b.count("WIDTH"), 0);
-        let q = b.load(q, word, enable, clear);
-        b.output("q", q);
-    }
+fn build(b: &mut Builder) {
+    let (word, enable, clear) = (b.input("word"), b.input("enable"), b.input("clear"));
+    let q = b.hold(b.count("WIDTH"), 0);
+    let q = b.load(q, word, enable, clear);
+    b.output("q", q);
 }
 
 #[cfg(test)]

@@ -10,10 +10,10 @@
 //! ```
 
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Held, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Held, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct ReversibleCounter;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "reversible_counter",
@@ -44,28 +44,18 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for ReversibleCounter {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (width, guard) = (b.count("WIDTH"), b.count("GUARD"));
-        let (up, down) = (b.input("up"), b.input("down"));
-        let stages = b.hold(width + guard, half(guard));
-        let count = b.slice(stages.q, guard, width);
-        b.output("count", count);
-        let (carry, borrow) = reaching(b, stages, [up, down]);
-        b.output("carry", carry);
-        b.output("borrow", borrow);
-        let overflow = overflow(b, count, [carry, borrow]);
-        b.output("overflow", overflow);
-        step(b, stages, [up, down]);
-    }
+fn build(b: &mut Builder) {
+    let (width, guard) = (b.count("WIDTH"), b.count("GUARD"));
+    let (up, down) = (b.input("up"), b.input("down"));
+    let stages = b.hold(width + guard, half(guard));
+    let count = b.slice(stages.q, guard, width);
+    b.output("count", count);
+    let (carry, borrow) = reaching(b, stages, [up, down]);
+    b.output("carry", carry);
+    b.output("borrow", borrow);
+    let overflow = overflow(b, count, [carry, borrow]);
+    b.output("overflow", overflow);
+    step(b, stages, [up, down]);
 }
 
 /// The guard stages' preset: half a count.

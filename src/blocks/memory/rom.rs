@@ -6,10 +6,10 @@
 
 use crate::base::MemoryImage;
 use crate::base::word::mask;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct ReadOnlyMemory;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "rom",
@@ -31,25 +31,15 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for ReadOnlyMemory {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (address_bits, width) = (b.count("ADDRESS"), b.count("WIDTH"));
-        let sine = b.param("FUNCTION") == 1;
-        let entry = |address: u64| {
-            if sine { quarter_sine(address, address_bits, width) } else { (address * address) & mask(width) }
-        };
-        let image = MemoryImage::from_words(width, (0..1 << address_bits).map(entry));
-        let word = b.rom(image, b.input("address"));
-        b.output("word", word);
-    }
+fn build(b: &mut Builder) {
+    let (address_bits, width) = (b.count("ADDRESS"), b.count("WIDTH"));
+    let sine = b.param("FUNCTION") == 1;
+    let entry = |address: u64| {
+        if sine { quarter_sine(address, address_bits, width) } else { (address * address) & mask(width) }
+    };
+    let image = MemoryImage::from_words(width, (0..1 << address_bits).map(entry));
+    let word = b.rom(image, b.input("address"));
+    b.output("word", word);
 }
 
 fn quarter_sine(address: u64, address_bits: u32, width: u32) -> u64 {

@@ -8,10 +8,10 @@
 //! ```
 
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct ShiftRegister;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "shift_register",
@@ -40,30 +40,20 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for ShiftRegister {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let q = b.hold(b.count("WIDTH"), 0);
-        let (shift, clear, transfer) = (b.input("shift"), b.input("clear"), b.input("transfer"));
-        let loaded = loaded(b, q.q);
-        let doubled = doubled(b, loaded);
-        let next = b.mux(shift, doubled, loaded);
-        let q = b.load(q, next, None, clear);
-        let contents = if b.param("TRANSPARENT") == 1 { loaded } else { q };
-        let inverse = b.not(contents);
-        let true_out = b.gate(transfer, contents);
-        let inverse_out = b.gate(transfer, inverse);
-        b.output("contents", contents);
-        b.output("true_out", true_out);
-        b.output("inverse_out", inverse_out);
-    }
+fn build(b: &mut Builder) {
+    let q = b.hold(b.count("WIDTH"), 0);
+    let (shift, clear, transfer) = (b.input("shift"), b.input("clear"), b.input("transfer"));
+    let loaded = loaded(b, q.q);
+    let doubled = doubled(b, loaded);
+    let next = b.mux(shift, doubled, loaded);
+    let q = b.load(q, next, None, clear);
+    let contents = if b.param("TRANSPARENT") == 1 { loaded } else { q };
+    let inverse = b.not(contents);
+    let true_out = b.gate(transfer, contents);
+    let inverse_out = b.gate(transfer, inverse);
+    b.output("contents", contents);
+    b.output("true_out", true_out);
+    b.output("inverse_out", inverse_out);
 }
 
 fn loaded(b: &mut Builder, q: ValueId) -> ValueId {

@@ -11,12 +11,12 @@
 //! ```
 
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
-
-/// The block.
-pub struct SubtractingCounter;
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 const COUNT: Width = Width::Add(&Width::Add(&Width::Param("WIDTH"), &Width::Param("FRACTION")), &Width::BIT);
+
+/// The block.
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "subtracting_counter",
@@ -46,36 +46,26 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for SubtractingCounter {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
+fn build(b: &mut Builder) {
+    let width = b.count("WIDTH") + b.count("FRACTION") + 1;
+    let (word, load, clear) = (b.input("word"), b.input("load"), b.input("clear"));
+    let count = b.hold(width, 0);
 
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
+    let subtract = b.zero_extend(b.input("subtract"), width);
+    let less = b.sub(count.q, subtract);
+    let start = whole_number(b, word, width);
+    let next = b.mux(load, start, less);
 
-    fn build(&self, b: &mut Builder) {
-        let width = b.count("WIDTH") + b.count("FRACTION") + 1;
-        let (word, load, clear) = (b.input("word"), b.input("load"), b.input("clear"));
-        let count = b.hold(width, 0);
+    let was_negative = b.sign(count.q);
+    let is_negative = b.sign(next);
+    let was_not = b.not(was_negative);
+    let borrow = b.and(was_not, is_negative);
+    let overflow = b.hold(1, 0);
+    let overflow = b.load(overflow, borrow, None, clear);
 
-        let subtract = b.zero_extend(b.input("subtract"), width);
-        let less = b.sub(count.q, subtract);
-        let start = whole_number(b, word, width);
-        let next = b.mux(load, start, less);
-
-        let was_negative = b.sign(count.q);
-        let is_negative = b.sign(next);
-        let was_not = b.not(was_negative);
-        let borrow = b.and(was_not, is_negative);
-        let overflow = b.hold(1, 0);
-        let overflow = b.load(overflow, borrow, None, clear);
-
-        let count = b.load(count, next, None, clear);
-        b.output("count", count);
-        b.output("overflow", overflow);
-    }
+    let count = b.load(count, next, None, clear);
+    b.output("count", count);
+    b.output("overflow", overflow);
 }
 
 /// `word` with zeros in its fraction digits and in the sign above it.

@@ -10,7 +10,7 @@ use crate::base::word::{clog2, mask};
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
-pub struct TableMemory;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build).with_check(check);
 
 static DESCRIPTION: Description = Description {
     name: "table_memory",
@@ -35,35 +35,29 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for TableMemory {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn check(p: &Parameters) -> Result<(), String> {
+    let entries = p.get("ENTRIES").unsigned_abs();
+    if !entries.is_power_of_two() {
+        let next = 1_u64 << clog2(entries);
+        return Err(format!("ENTRIES is {entries}, but the counter of addresses needs a power of two: try {next}"));
     }
+    let largest = differences(entries, p.get("SUM_BITS") as u32).into_iter().max().unwrap_or(0);
+    let width = p.get("WIDTH") as u32;
+    if largest > mask(width) {
+        let enough = clog2(largest + 1);
+        return Err(format!("the largest word is {largest}, which {width} bits do not hold: take WIDTH {enough}"));
+    }
+    Ok(())
+}
 
-    fn check(&self, p: &Parameters) -> Result<(), String> {
-        let entries = p.get("ENTRIES").unsigned_abs();
-        if !entries.is_power_of_two() {
-            let next = 1_u64 << clog2(entries);
-            return Err(format!("ENTRIES is {entries}, but the counter of addresses needs a power of two: try {next}"));
-        }
-        let largest = differences(entries, p.get("SUM_BITS") as u32).into_iter().max().unwrap_or(0);
-        let width = p.get("WIDTH") as u32;
-        if largest > mask(width) {
-            let enough = clog2(largest + 1);
-            return Err(format!("the largest word is {largest}, which {width} bits do not hold: take WIDTH {enough}"));
-        }
-        Ok(())
+fn build(b: &mut Builder) {
+    let mut words = differences(u64::from(b.count("ENTRIES")), b.count("SUM_BITS"));
+    if b.param("REVERSED") == 1 {
+        words.reverse();
     }
-
-    fn build(&self, b: &mut Builder) {
-        let mut words = differences(u64::from(b.count("ENTRIES")), b.count("SUM_BITS"));
-        if b.param("REVERSED") == 1 {
-            words.reverse();
-        }
-        let image = MemoryImage::from_words(b.count("WIDTH"), words);
-        let word = b.rom(image, b.input("address"));
-        b.output("word", word);
-    }
+    let image = MemoryImage::from_words(b.count("WIDTH"), words);
+    let word = b.rom(image, b.input("address"));
+    b.output("word", word);
 }
 
 /// The differences of the rounded sine over a quarter turn.
@@ -138,7 +132,7 @@ mod tests {
             let mut p = Parameters::defaults(&DESCRIPTION);
             p.set("ENTRIES", entries);
             p.set("WIDTH", width);
-            TableMemory.check(&p).expect_err("refused")
+            BLOCK.check(&p).expect_err("refused")
         };
         assert!(refusal(100, 6).contains("try 128"));
         assert!(refusal(64, 6).contains("take WIDTH 7"));

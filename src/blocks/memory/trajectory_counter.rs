@@ -1,9 +1,9 @@
 //! Trajectory counter: how many pulses of four lines have been sent, that is the way travelled.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct TrajectoryCounter;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "trajectory_counter",
@@ -26,31 +26,21 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for TrajectoryCounter {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn build(b: &mut Builder) {
+    let (width, lines) = (b.count("WIDTH"), b.input("lines"));
+    let count = b.hold(width, 0);
+    let mut sum = b.zero_extend(count.q, width + 1);
+    for line in 0..b.count("LINES") {
+        let pulse = b.pick(lines, line);
+        let pulse = b.zero_extend(pulse, width + 1);
+        sum = b.add(sum, pulse);
     }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (width, lines) = (b.count("WIDTH"), b.input("lines"));
-        let count = b.hold(width, 0);
-        let mut sum = b.zero_extend(count.q, width + 1);
-        for line in 0..b.count("LINES") {
-            let pulse = b.pick(lines, line);
-            let pulse = b.zero_extend(pulse, width + 1);
-            sum = b.add(sum, pulse);
-        }
-        let beyond = b.sign(sum);
-        let sum = b.slice(sum, 0, width);
-        let full = b.constant(u64::MAX, width);
-        let next = b.mux(beyond, full, sum);
-        b.load(count, next, b.input("trailing"), b.input("clear"));
-        b.output("count", count.q);
-    }
+    let beyond = b.sign(sum);
+    let sum = b.slice(sum, 0, width);
+    let full = b.constant(u64::MAX, width);
+    let next = b.mux(beyond, full, sum);
+    b.load(count, next, b.input("trailing"), b.input("clear"));
+    b.output("count", count.q);
 }
 
 #[cfg(test)]

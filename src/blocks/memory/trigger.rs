@@ -11,10 +11,10 @@
 //!    1    1   |   0     reset wins
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
-pub struct Trigger;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "trigger",
@@ -32,24 +32,14 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Trigger {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (set, reset) = (b.input("set"), b.input("reset"));
-        let q = b.hold(1, 0);
-        let one = b.bit(true);
-        let q = b.load(q, one, set, reset);
-        let inverse = b.not(q);
-        b.output("q", q);
-        b.output("q_inverse", inverse);
-    }
+fn build(b: &mut Builder) {
+    let (set, reset) = (b.input("set"), b.input("reset"));
+    let q = b.hold(1, 0);
+    let one = b.bit(true);
+    let q = b.load(q, one, set, reset);
+    let inverse = b.not(q);
+    b.output("q", q);
+    b.output("q_inverse", inverse);
 }
 
 #[cfg(test)]

@@ -7,10 +7,10 @@
 //! ```
 
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct BinaryRateMultiplier;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "binary_rate_multiplier",
@@ -41,27 +41,17 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for BinaryRateMultiplier {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (clear, pulse, rate) = (b.input("clear"), b.input("pulse"), b.input("rate"));
-        let trailing = b.input("trailing");
-        let step = b.and(pulse, trailing);
-        let (state, next) = b.scope("counter", |b| counter(b, step, clear));
-        let selected = b.scope("gates", |b| gates(b, state, next, rate));
-        let out = b.and(pulse, selected);
-        b.output("out", out);
-        let last = b.reduce_and(state);
-        let overflow = b.and(pulse, last);
-        b.output("overflow", overflow);
-    }
+fn build(b: &mut Builder) {
+    let (clear, pulse, rate) = (b.input("clear"), b.input("pulse"), b.input("rate"));
+    let trailing = b.input("trailing");
+    let step = b.and(pulse, trailing);
+    let (state, next) = b.scope("counter", |b| counter(b, step, clear));
+    let selected = b.scope("gates", |b| gates(b, state, next, rate));
+    let out = b.and(pulse, selected);
+    b.output("out", out);
+    let last = b.reduce_and(state);
+    let overflow = b.and(pulse, last);
+    b.output("overflow", overflow);
 }
 
 /// The counter's state and the state after it.

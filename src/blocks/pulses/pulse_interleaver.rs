@@ -5,10 +5,10 @@
 //!   b --+--[AND]--> coincident
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
-pub struct PulseInterleaver;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "pulse_interleaver",
@@ -27,22 +27,12 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for PulseInterleaver {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (first, second) = (b.input("a"), b.input("b"));
-        let out = b.or(first, second);
-        b.output("out", out);
-        let coincident = b.and(first, second);
-        b.output("coincident", coincident);
-    }
+fn build(b: &mut Builder) {
+    let (first, second) = (b.input("a"), b.input("b"));
+    let out = b.or(first, second);
+    b.output("out", out);
+    let coincident = b.and(first, second);
+    b.output("coincident", coincident);
 }
 
 #[cfg(test)]

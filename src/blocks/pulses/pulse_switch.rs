@@ -6,10 +6,10 @@
 //!                +---> down_line   otherwise
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
-pub struct PulseSwitch;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "pulse_switch",
@@ -27,23 +27,13 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for PulseSwitch {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (pulse, up) = (b.input("pulse"), b.input("up"));
-        let up_line = b.and(pulse, up);
-        b.output("up_line", up_line);
-        let down = b.not(up);
-        let down_line = b.and(pulse, down);
-        b.output("down_line", down_line);
-    }
+fn build(b: &mut Builder) {
+    let (pulse, up) = (b.input("pulse"), b.input("up"));
+    let up_line = b.and(pulse, up);
+    b.output("up_line", up_line);
+    let down = b.not(up);
+    let down_line = b.and(pulse, down);
+    b.output("down_line", down_line);
 }
 
 #[cfg(test)]

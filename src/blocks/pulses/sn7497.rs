@@ -10,10 +10,10 @@
 //!             +------------------+
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
-pub struct Sn7497;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "sn7497",
@@ -43,50 +43,40 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for Sn7497 {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
+fn build(b: &mut Builder) {
+    let (clr, strb, enin) = (b.input("clr"), b.input("strb"), b.input("enin"));
+    let (clock_low, rising, rate) = (b.input("clock_low"), b.input("rising"), b.input("rate"));
+    let inhibited = b.or(clr, strb);
+    let released = b.not(inhibited);
+    let enabled = b.not(enin);
+    let edge = b.and(clock_low, rising);
 
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
+    let held = b.hold(6, 0);
+    let zero = b.constant(0, 6);
+    let state = b.mux(clr, zero, held.q);
+    b.name("state", state);
+    let one = b.constant(1, 6);
+    let next = b.add(state, one);
+    let step = b.all(&[edge, released, enabled]);
+    b.load(held, next, step, clr);
 
-    fn build(&self, b: &mut Builder) {
-        let (clr, strb, enin) = (b.input("clr"), b.input("strb"), b.input("enin"));
-        let (clock_low, rising, rate) = (b.input("clock_low"), b.input("rising"), b.input("rate"));
-        let inhibited = b.or(clr, strb);
-        let released = b.not(inhibited);
-        let enabled = b.not(enin);
-        let edge = b.and(clock_low, rising);
-
-        let held = b.hold(6, 0);
-        let zero = b.constant(0, 6);
-        let state = b.mux(clr, zero, held.q);
-        b.name("state", state);
-        let one = b.constant(1, 6);
-        let next = b.add(state, one);
-        let step = b.all(&[edge, released, enabled]);
-        b.load(held, next, step, clr);
-
-        let not_state = b.not(state);
-        let open = b.and(not_state, next);
-        b.name("open", open);
-        let bits: Vec<_> = (0..6).rev().map(|bit| b.pick(rate, bit)).collect();
-        let heaviest_first = b.join(&bits);
-        let passing = b.and(open, heaviest_first);
-        let selected = b.reduce_or(passing);
-        let pulse = b.all(&[clock_low, released, selected]);
-        let z = b.not(pulse);
-        b.output("z", z);
-        let both = b.and(z, b.input("unity"));
-        let y = b.not(both);
-        b.output("y", y);
-        let last = b.reduce_and(state);
-        let carry = b.and(last, enabled);
-        let enout = b.not(carry);
-        b.output("enout", enout);
-    }
+    let not_state = b.not(state);
+    let open = b.and(not_state, next);
+    b.name("open", open);
+    let bits: Vec<_> = (0..6).rev().map(|bit| b.pick(rate, bit)).collect();
+    let heaviest_first = b.join(&bits);
+    let passing = b.and(open, heaviest_first);
+    let selected = b.reduce_or(passing);
+    let pulse = b.all(&[clock_low, released, selected]);
+    let z = b.not(pulse);
+    b.output("z", z);
+    let both = b.and(z, b.input("unity"));
+    let y = b.not(both);
+    b.output("y", y);
+    let last = b.reduce_and(state);
+    let carry = b.and(last, enabled);
+    let enout = b.not(carry);
+    b.output("enout", enout);
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! Bipolar gate: passes a rate with both signs, or nothing.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
-
-/// The block.
-pub struct BipolarGate;
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 static SIGNED_RATE: Width = Width::Add(&Width::Param("WIDTH"), &Width::Fixed(1));
+
+/// The block.
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "bipolar_gate",
@@ -23,23 +23,13 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for BipolarGate {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (enable, rate) = (b.input("enable"), b.input("rate"));
-        let passed = b.gate(enable, rate);
-        let plus = b.zero_extend(passed, b.width(rate) + 1);
-        let minus = b.negate(plus);
-        b.output("plus", plus);
-        b.output("minus", minus);
-    }
+fn build(b: &mut Builder) {
+    let (enable, rate) = (b.input("enable"), b.input("rate"));
+    let passed = b.gate(enable, rate);
+    let plus = b.zero_extend(passed, b.width(rate) + 1);
+    let minus = b.negate(plus);
+    b.output("plus", plus);
+    b.output("minus", minus);
 }
 
 #[cfg(test)]

@@ -7,10 +7,10 @@
 //!   minus ------o                                 /  \  /  \
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct BoundSwitch;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "bound_switch",
@@ -31,26 +31,16 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for BoundSwitch {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let [lower, upper] = ["at_lower", "at_upper"].map(|name| b.input(name));
-        let before = b.hold(1, 0);
-        let not_lower = b.not(lower);
-        let still_falling = b.and(before.q, not_lower);
-        let falling = b.or(upper, still_falling);
-        b.load(before, falling, None, b.input("reset"));
-        b.name("falling", falling);
-        let rate = b.mux(falling, b.input("minus"), b.input("plus"));
-        b.output("rate", rate);
-    }
+fn build(b: &mut Builder) {
+    let [lower, upper] = ["at_lower", "at_upper"].map(|name| b.input(name));
+    let before = b.hold(1, 0);
+    let not_lower = b.not(lower);
+    let still_falling = b.and(before.q, not_lower);
+    let falling = b.or(upper, still_falling);
+    b.load(before, falling, None, b.input("reset"));
+    b.name("falling", falling);
+    let rate = b.mux(falling, b.input("minus"), b.input("plus"));
+    b.output("rate", rate);
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! Data switch: passes the one of five words whose line is high.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
-
-/// The block.
-pub struct DataSwitch;
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 const WORD: Width = Width::Param("WIDTH");
+
+/// The block.
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "data_switch",
@@ -27,25 +27,15 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for DataSwitch {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
+fn build(b: &mut Builder) {
+    let lines = b.input("lines");
+    let mut word = b.constant(0, b.count("WIDTH"));
+    for (line, name) in (0..).zip(["a", "b", "c", "d", "e"]) {
+        let open = b.pick(lines, line);
+        let passed = b.gate(open, b.input(name));
+        word = b.or(word, passed);
     }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let lines = b.input("lines");
-        let mut word = b.constant(0, b.count("WIDTH"));
-        for (line, name) in (0..).zip(["a", "b", "c", "d", "e"]) {
-            let open = b.pick(lines, line);
-            let passed = b.gate(open, b.input(name));
-            word = b.or(word, passed);
-        }
-        b.output("word", word);
-    }
+    b.output("word", word);
 }
 
 #[cfg(test)]

@@ -8,10 +8,10 @@
 //!   b  --[   ]              1 1 | x1 | x2
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct Multiplexer;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "multiplexer",
@@ -31,21 +31,11 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for Multiplexer {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let channel = |b: &mut Builder, open, word| b.gate(b.input(open), b.input(word));
-        let (first, second) = (channel(b, "a", "x1"), channel(b, "b", "x2"));
-        let z = b.or(first, second);
-        b.output("z", z);
-    }
+fn build(b: &mut Builder) {
+    let channel = |b: &mut Builder, open, word| b.gate(b.input(open), b.input(word));
+    let (first, second) = (channel(b, "a", "x1"), channel(b, "b", "x2"));
+    let z = b.or(first, second);
+    b.output("z", z);
 }
 
 #[cfg(test)]

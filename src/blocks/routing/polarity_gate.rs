@@ -1,11 +1,11 @@
 //! Polarity gate: passes a rectified wave as it is and inverted in turn, so that a summer can rebuild the full wave.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
-
-/// The block.
-pub struct PolarityGate;
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 static WAVE: Width = Width::Add(&Width::Param("WIDTH"), &Width::Fixed(1));
+
+/// The block.
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "polarity_gate",
@@ -25,35 +25,25 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for PolarityGate {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
+fn build(b: &mut Builder) {
+    let (at_zero, reset) = (b.input("at_zero"), b.input("reset"));
+    // A wave that begins at its zero does not arrive there.
+    let was_zero = b.hold(1, 1);
+    b.load(was_zero, at_zero, None, reset);
+    let not_before = b.not(was_zero.q);
+    let arrived = b.and(at_zero, not_before);
+    let reversed = b.hold(1, 0);
+    let other = b.not(reversed.q);
+    b.load(reversed, other, arrived, reset);
+    b.name("reversed", reversed.q);
 
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (at_zero, reset) = (b.input("at_zero"), b.input("reset"));
-        // A wave that begins at its zero does not arrive there.
-        let was_zero = b.hold(1, 1);
-        b.load(was_zero, at_zero, None, reset);
-        let not_before = b.not(was_zero.q);
-        let arrived = b.and(at_zero, not_before);
-        let reversed = b.hold(1, 0);
-        let other = b.not(reversed.q);
-        b.load(reversed, other, arrived, reset);
-        b.name("reversed", reversed.q);
-
-        let wave = b.input("magnitude");
-        let wave = b.zero_extend(wave, b.width(wave) + 1);
-        let negated = b.negate(wave);
-        let direct = b.gate(other, wave);
-        let inverted = b.gate(reversed.q, negated);
-        b.output("direct", direct);
-        b.output("inverted", inverted);
-    }
+    let wave = b.input("magnitude");
+    let wave = b.zero_extend(wave, b.width(wave) + 1);
+    let negated = b.negate(wave);
+    let direct = b.gate(other, wave);
+    let inverted = b.gate(reversed.q, negated);
+    b.output("direct", direct);
+    b.output("inverted", inverted);
 }
 
 #[cfg(test)]

@@ -6,10 +6,10 @@
 //!   even_table --/    ^ even_quadrant
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct QuadrantSwitch;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "quadrant_switch",
@@ -28,19 +28,9 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for QuadrantSwitch {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let word = b.mux(b.input("even_quadrant"), b.input("even_table"), b.input("odd_table"));
-        b.output("word", word);
-    }
+fn build(b: &mut Builder) {
+    let word = b.mux(b.input("even_quadrant"), b.input("even_table"), b.input("odd_table"));
+    b.output("word", word);
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Strobe switch: passes the one of four strobes that ends a stroke.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
-pub struct StrobeSwitch;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "strobe_switch",
@@ -21,26 +21,16 @@ static DESCRIPTION: Description = Description {
     clocked: false,
 };
 
-impl Block for StrobeSwitch {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (strobes, quarters) = (b.input("strobes"), b.input("quarters"));
-        let lines: Vec<_> = (1..=4).map(|number| b.is(quarters, number)).collect();
-        let selected = b.join(&lines);
-        let passed = b.and(selected, strobes);
-        let strobe = b.reduce_or(passed);
-        let known = b.any(&lines);
-        let unknown = b.not(known);
-        b.output("strobe", strobe);
-        b.output("out_of_range", unknown);
-    }
+fn build(b: &mut Builder) {
+    let (strobes, quarters) = (b.input("strobes"), b.input("quarters"));
+    let lines: Vec<_> = (1..=4).map(|number| b.is(quarters, number)).collect();
+    let selected = b.join(&lines);
+    let passed = b.and(selected, strobes);
+    let strobe = b.reduce_or(passed);
+    let known = b.any(&lines);
+    let unknown = b.not(known);
+    b.output("strobe", strobe);
+    b.output("out_of_range", unknown);
 }
 
 #[cfg(test)]

@@ -6,10 +6,10 @@
 //! ```
 
 use crate::base::word::clog2;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct ClockGenerator;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "clock_generator",
@@ -23,27 +23,17 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for ClockGenerator {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let period = u64::from(b.count("PERIOD"));
-        let width = clog2(period).max(1);
-        let phase = b.hold(width, 0);
-        let one = b.constant(1, width);
-        let next = b.add(phase.q, one);
-        let last = b.is(phase.q, period - 1);
-        let phase = b.load(phase, next, None, last);
-        b.name("phase", phase);
-        let strobe = b.is(phase, 0);
-        b.output("strobe", strobe);
-    }
+fn build(b: &mut Builder) {
+    let period = u64::from(b.count("PERIOD"));
+    let width = clog2(period).max(1);
+    let phase = b.hold(width, 0);
+    let one = b.constant(1, width);
+    let next = b.add(phase.q, one);
+    let last = b.is(phase.q, period - 1);
+    let phase = b.load(phase, next, None, last);
+    b.name("phase", phase);
+    let strobe = b.is(phase, 0);
+    b.output("strobe", strobe);
 }
 
 #[cfg(test)]

@@ -7,10 +7,10 @@
 //! ```
 
 use super::chain::Chain;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct DelayElement;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "delay_element",
@@ -28,23 +28,13 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for DelayElement {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let delay = b.count("DELAY");
-        let chain = Chain::build(b, b.input("pulse_in"), delay);
-        let pulse_out = chain.after(b, delay);
-        let active = chain.holds_a_pulse(b);
-        b.output("pulse_out", pulse_out);
-        b.output("active", active);
-    }
+fn build(b: &mut Builder) {
+    let delay = b.count("DELAY");
+    let chain = Chain::build(b, b.input("pulse_in"), delay);
+    let pulse_out = chain.after(b, delay);
+    let active = chain.holds_a_pulse(b);
+    b.output("pulse_out", pulse_out);
+    b.output("active", active);
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Half-clock delay: a pulse of the first half of a clock comes out in the second half.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
-pub struct HalfClockDelay;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "half_clock_delay",
@@ -22,22 +22,12 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for HalfClockDelay {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let held = b.hold(1, 0);
-        b.name("held", held.q);
-        b.load(held, b.input("pulse"), b.input("trailing"), None);
-        let out = b.and(held.q, b.input("second_half"));
-        b.output("out", out);
-    }
+fn build(b: &mut Builder) {
+    let held = b.hold(1, 0);
+    b.name("held", held.q);
+    b.load(held, b.input("pulse"), b.input("trailing"), None);
+    let out = b.and(held.q, b.input("second_half"));
+    b.output("out", out);
 }
 
 #[cfg(test)]

@@ -5,10 +5,10 @@
 //!   busy      ______/-----\_____/-----\     interval = 6
 //! ```
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct ProgrammableDelay;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "programmable_delay",
@@ -28,28 +28,18 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for ProgrammableDelay {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let width = b.count("WIDTH");
-        let remaining = b.hold(width, 0);
-        let busy = b.reduce_or(remaining.q);
-        let triggered = b.and(b.input("pulse"), b.input("trailing"));
-        let one = b.constant(1, width);
-        let less = b.sub(remaining.q, one);
-        let next = b.mux(triggered, b.input("interval"), less);
-        let runs = b.or(triggered, busy);
-        b.load(remaining, next, runs, None);
-        b.output("busy", busy);
-        b.output("remaining", remaining.q);
-    }
+fn build(b: &mut Builder) {
+    let width = b.count("WIDTH");
+    let remaining = b.hold(width, 0);
+    let busy = b.reduce_or(remaining.q);
+    let triggered = b.and(b.input("pulse"), b.input("trailing"));
+    let one = b.constant(1, width);
+    let less = b.sub(remaining.q, one);
+    let next = b.mux(triggered, b.input("interval"), less);
+    let runs = b.or(triggered, busy);
+    b.load(remaining, next, runs, None);
+    b.output("busy", busy);
+    b.output("remaining", remaining.q);
 }
 
 #[cfg(test)]

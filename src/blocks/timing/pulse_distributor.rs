@@ -9,10 +9,10 @@
 //! ```
 
 use super::chain::Chain;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct PulseDistributor;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "pulse_distributor",
@@ -33,24 +33,14 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for PulseDistributor {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (taps, spacing) = (b.count("TAPS"), b.count("SPACING"));
-        let chain = Chain::build(b, b.input("pulse_in"), taps * spacing);
-        let tapped: Vec<_> = (1..=taps).map(|link| chain.after(b, link * spacing)).collect();
-        let tapped = b.join(&tapped);
-        let active = chain.holds_a_pulse(b);
-        b.output("taps", tapped);
-        b.output("active", active);
-    }
+fn build(b: &mut Builder) {
+    let (taps, spacing) = (b.count("TAPS"), b.count("SPACING"));
+    let chain = Chain::build(b, b.input("pulse_in"), taps * spacing);
+    let tapped: Vec<_> = (1..=taps).map(|link| chain.after(b, link * spacing)).collect();
+    let tapped = b.join(&tapped);
+    let active = chain.holds_a_pulse(b);
+    b.output("taps", tapped);
+    b.output("active", active);
 }
 
 #[cfg(test)]

@@ -11,10 +11,10 @@
 //! ```
 
 use crate::base::ValueId;
-use crate::blocks::{Block, Builder, Description, Held, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Held, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct RankSequencer;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "rank_sequencer",
@@ -38,32 +38,22 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for RankSequencer {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
+fn build(b: &mut Builder) {
+    let (start, ready) = (b.input("start"), b.input("ready"));
+    let before = b.delay(start);
+    let token = b.hold(b.count("RANKS"), 0);
+    let busy = b.reduce_or(token.q);
+    let (low, idle) = (b.not(before), b.not(busy));
+    let load = b.all(&[start, low, idle]);
+    let rank = b.gate(ready, token.q);
+    advance(b, token, ready, load);
 
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (start, ready) = (b.input("start"), b.input("ready"));
-        let before = b.delay(start);
-        let token = b.hold(b.count("RANKS"), 0);
-        let busy = b.reduce_or(token.q);
-        let (low, idle) = (b.not(before), b.not(busy));
-        let load = b.all(&[start, low, idle]);
-        let rank = b.gate(ready, token.q);
-        advance(b, token, ready, load);
-
-        let last = b.sign(rank);
-        let done = b.hold(1, 0);
-        let settled = b.any(&[last, load]);
-        let done = b.load(done, last, settled, None);
-        for (name, value) in [("load", load), ("rank", rank), ("busy", busy), ("done", done)] {
-            b.output(name, value);
-        }
+    let last = b.sign(rank);
+    let done = b.hold(1, 0);
+    let settled = b.any(&[last, load]);
+    let done = b.load(done, last, settled, None);
+    for (name, value) in [("load", load), ("rank", rank), ("busy", busy), ("done", done)] {
+        b.output(name, value);
     }
 }
 

@@ -1,9 +1,9 @@
 //! Stop switch: ends a stroke after one to four quadrants.
 
-use crate::blocks::{Block, Builder, Description, Kind, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
-pub struct StopSwitch;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "stop_switch",
@@ -24,30 +24,20 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for StopSwitch {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
-
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let quarters = b.input("quarters");
-        let selected: Vec<_> = (1..=4).map(|number| b.is(quarters, number)).collect();
-        let good = b.any(&selected);
-        let out_of_range = b.not(good);
-        b.output("out_of_range", out_of_range);
-        let selected = b.join(&selected);
-        let held = b.hold(4, 0);
-        b.load(held, selected, b.input("load"), None);
-        b.name("selected", held.q);
-        let reached = b.and(held.q, b.input("quadrant_lines"));
-        let last_quadrant = b.reduce_or(reached);
-        let stop = b.and(last_quadrant, b.input("end_of_quadrant"));
-        b.output("stop", stop);
-    }
+fn build(b: &mut Builder) {
+    let quarters = b.input("quarters");
+    let selected: Vec<_> = (1..=4).map(|number| b.is(quarters, number)).collect();
+    let good = b.any(&selected);
+    let out_of_range = b.not(good);
+    b.output("out_of_range", out_of_range);
+    let selected = b.join(&selected);
+    let held = b.hold(4, 0);
+    b.load(held, selected, b.input("load"), None);
+    b.name("selected", held.q);
+    let reached = b.and(held.q, b.input("quadrant_lines"));
+    let last_quadrant = b.reduce_or(reached);
+    let stop = b.and(last_quadrant, b.input("end_of_quadrant"));
+    b.output("stop", stop);
 }
 
 #[cfg(test)]

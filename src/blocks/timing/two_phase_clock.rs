@@ -10,10 +10,10 @@
 
 use crate::base::ValueId;
 use crate::base::word::clog2;
-use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
+use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
-pub struct TwoPhaseClock;
+pub static BLOCK: Block = Block::new(&DESCRIPTION, build);
 
 static DESCRIPTION: Description = Description {
     name: "two_phase_clock",
@@ -35,31 +35,21 @@ static DESCRIPTION: Description = Description {
     clocked: true,
 };
 
-impl Block for TwoPhaseClock {
-    fn description(&self) -> &'static Description {
-        &DESCRIPTION
-    }
+fn build(b: &mut Builder) {
+    let (run, hold) = (b.input("run"), b.input("hold"));
+    let stopped = b.not(run);
+    let free = b.not(hold);
+    let counts = b.and(run, free);
+    let trailing = last_tick(b, counts, stopped);
+    b.output("trailing", trailing);
 
-    fn check(&self, _: &Parameters) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn build(&self, b: &mut Builder) {
-        let (run, hold) = (b.input("run"), b.input("hold"));
-        let stopped = b.not(run);
-        let free = b.not(hold);
-        let counts = b.and(run, free);
-        let trailing = last_tick(b, counts, stopped);
-        b.output("trailing", trailing);
-
-        let second = b.hold(1, 0);
-        let first = b.not(second.q);
-        b.load(second, first, trailing, stopped);
-        let phase_a = b.and(run, first);
-        b.output("phase_a", phase_a);
-        let phase_b = b.and(run, second.q);
-        b.output("phase_b", phase_b);
-    }
+    let second = b.hold(1, 0);
+    let first = b.not(second.q);
+    b.load(second, first, trailing, stopped);
+    let phase_a = b.and(run, first);
+    b.output("phase_a", phase_a);
+    let phase_b = b.and(run, second.q);
+    b.output("phase_b", phase_b);
 }
 
 /// Counts the ticks of a half; 1 in the last of them.

@@ -38,7 +38,7 @@ impl<'t> Inside<'_, '_, 't> {
             .help(format!("a module of its own file stands in `{}.v`; blocks: `stepwright list blocks`", name.text))
     }
 
-    fn block_instance(&mut self, block: &'static dyn Block, instance: &'t Instance) {
+    fn block_instance(&mut self, block: &'static Block, instance: &'t Instance) {
         let Some(parameters) = self.block_parameters(block, instance) else {
             self.unsure = true;
             return;
@@ -81,7 +81,7 @@ impl<'t> Inside<'_, '_, 't> {
         self.template.cells.push(LocalCell { scope: self.scope, name, kind, inputs, body, span });
     }
 
-    fn block_parameters(&mut self, block: &'static dyn Block, instance: &'t Instance) -> Option<Parameters> {
+    fn block_parameters(&mut self, block: &'static Block, instance: &'t Instance) -> Option<Parameters> {
         let description = block.description();
         let mut parameters = Parameters::defaults(description);
         let mut good = true;

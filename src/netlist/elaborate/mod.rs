@@ -124,7 +124,7 @@ impl<'t> Elaborator<'_, 't> {
     }
 
     /// The ops of a block, shared by all its instances of equal parameters.
-    fn body(&mut self, block: &'static dyn Block, parameters: &Parameters) -> Arc<Body> {
+    fn body(&mut self, block: &'static Block, parameters: &Parameters) -> Arc<Body> {
         let key = (block.description().name, parameters.clone());
         let body = self.bodies.entry(key).or_insert_with(|| Arc::new(Builder::build(block, parameters)));
         Arc::clone(body)
