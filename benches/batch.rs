@@ -4,20 +4,18 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use stepwright::base::{Change, Stimulus, StopRule};
 use stepwright::compile::{Observe, Program, Until, compile};
 use stepwright::engine::LanesPath;
-use stepwright::engine::batch::{Done, End, InputChange, Options, Plan, Row, run_batch};
-use stepwright::netlist;
-use stepwright::simulation::shipped::{Shelf, text};
+use stepwright::engine::batch::{Done, Options, Row, run_batch};
+use stepwright::simulation::Circuit;
 
-const CIRCUIT: &str = "su1522157/interpolator.v";
 const FRAMES: u64 = 400_000;
 
 /// The interpolator until it is no longer busy, its pulses counted.
 fn interpolator() -> Program {
-    let file = text(CIRCUIT).expect("a shipped circuit");
-    let loaded = netlist::load(CIRCUIT, file, None, &Shelf { near: CIRCUIT }, &[]);
-    let netlist = loaded.unwrap_or_else(|report| panic!("{report}"));
+    let circuit = Circuit::shipped("su1522157/interpolator").expect("a shipped circuit");
+    let netlist = circuit.elaborate(&[]).unwrap_or_else(|report| panic!("{report}"));
     let net = netlist.top_net("busy").expect("an output");
     let until = Some(Until { net, high: false });
     compile(&netlist, &Observe { until, pulses: true, ..Observe::OUTPUTS })
@@ -42,14 +40,16 @@ fn frames(program: &Program) -> impl FnMut(&mut [u64]) -> bool + Send + use<> {
 
 fn run(program: &Program, path: LanesPath, threads: usize) -> Done {
     let start = program.inputs.iter().position(|port| port.name == "start_33").expect("an input");
-    let change = |tick, word| InputChange { tick, input: start, word };
-    let plan = Plan { changes: vec![change(0, 1), change(1, 0)], end: End::Until { limit: 100_000 } };
+    let change = |tick, word| Change { tick, input: start, word };
+    let initial = vec![0; program.inputs.len()];
+    let stop = StopRule::Until { limit: 100_000 };
+    let stimulus = Stimulus { initial, changes: vec![change(0, 1), change(1, 0)], stop };
     let sink = |row: Row<'_>| {
         std::hint::black_box(row);
         ControlFlow::Continue(())
     };
     let options = Options { threads, path, ..Options::default() };
-    run_batch(program, &plan, frames(program), sink, options).expect("threads start")
+    run_batch(program, &stimulus, frames(program), sink, options).expect("threads start")
 }
 
 fn batch(criterion: &mut Criterion) {

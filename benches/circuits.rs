@@ -4,8 +4,7 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 use stepwright::compile::{Observe, Program, compile};
-use stepwright::netlist::load;
-use stepwright::simulation::shipped::{self, Shelf};
+use stepwright::simulation::{Circuit, shipped};
 
 /// The text of the self-feeding interpolator.
 pub fn single() -> String {
@@ -30,7 +29,7 @@ pub fn ring(count: usize) -> String {
 
 /// The program of a circuit's text; only its outputs are observed.
 pub fn program(text: &str) -> Arc<Program> {
-    let netlist = load("bench.v", text, None, &Shelf { near: "bench/" }, &[]);
+    let netlist = Circuit::text("circuits/bench/bench.v", text).elaborate(&[]);
     let netlist = netlist.unwrap_or_else(|report| panic!("{}", report.render(false)));
     Arc::new(compile(&netlist, &Observe::OUTPUTS))
 }

@@ -7,7 +7,7 @@ use std::io::{self, Cursor, Write};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use stepwright::base::word::mask;
 use stepwright::base::{Signal, ValueId};
-use stepwright::trace::{Change, FstWriter, Plan, Sampler, VcdWriter, Window};
+use stepwright::trace::{Change, Frame, FstWriter, Plan, Sampler, VcdWriter, Window};
 
 const TICKS: u64 = 100_000;
 
@@ -67,11 +67,13 @@ fn history() -> Vec<Vec<u64>> {
 
 fn run(plan: &Plan, history: &[Vec<u64>], mut each: impl FnMut(u64, &[Change])) {
     let mut sampler = Sampler::new(plan, Window::ALL);
+    let mut before = None;
     for tick in 0..TICKS {
-        let words = &history[tick as usize % history.len()];
-        if let Some(changes) = sampler.sample(tick, |id| words[id.index()]) {
+        let words = history[tick as usize % history.len()].as_slice();
+        if let Some(changes) = sampler.sample(Frame { tick, words, before }) {
             each(tick, changes);
         }
+        before = Some(words);
     }
 }
 

@@ -2,7 +2,8 @@
 //! how hard it shakes the tool. Run it with `cargo run --release --example velocity_table`.
 
 use stepwright::base::Report;
-use stepwright::simulation::Simulation;
+use stepwright::simulation::Circuit;
+use stepwright::trace::Select;
 
 /// Names and values.
 type Settings<'a> = &'a [(&'a str, i64)];
@@ -44,17 +45,21 @@ fn main() -> Result<(), Report> {
 
 /// X and Y after each tick of the stroke.
 fn draw(parameters: Settings, inputs: Settings) -> Result<Vec<[i64; 2]>, Report> {
-    let mut tool = Simulation::load("us3809868/fig10_tool_control", &[MODEL, parameters].concat())?;
-    for (input, value) in [STROKE, inputs].concat() {
-        tool.set(input, value)?;
+    let mut session = Circuit::shipped("us3809868/fig10_tool_control")?.session();
+    for (name, value) in [MODEL, parameters].concat() {
+        session = session.parameter(name, value);
     }
-    tool.set("start", 1)?;
-    tool.step();
-    tool.set("start", 0)?;
+    for (name, value) in [STROKE, inputs, &[("start", 1)]].concat() {
+        session = session.input(name, value);
+    }
+    let mut tool = session.observe(Select::new::<&str>([])?).start()?;
+    let (start, busy, place) = (tool.input("start")?, tool.net("busy")?, [tool.net("x")?, tool.net("y")?]);
+    tool.step(1);
+    tool.set(start, 0)?;
     let mut path = Vec::new();
-    while tool.read("busy")? == 1 {
-        tool.step();
-        path.push([tool.read("x")? as i64, tool.read("y")? as i64]);
+    while tool.read(busy) == 1 {
+        tool.step(1);
+        path.push(place.map(|axis| tool.read(axis) as i64));
     }
     Ok(path)
 }

@@ -1,16 +1,10 @@
 //! The multiplying function generator of US 3,809,868, FIG. 4 and 4A: path, end points, vector velocity.
 
 use std::f64::consts::FRAC_PI_2;
-use std::path::Path;
-use std::sync::Arc;
 
-use stepwright::base::word::{decode, encode, signed};
-use stepwright::compile::{Observe, Program, compile};
-use stepwright::engine::{Engine, EngineKind};
-use stepwright::netlist::load;
-use stepwright::simulation::shipped::Shelf;
+use stepwright::simulation::{Circuit, Run};
+use stepwright::trace::Select;
 
-const CIRCUIT: &str = "circuits/us3809868/fig04_function_generator.v";
 /// Units of the unrounded coordinates a count.
 const COUNT: f64 = (1 << 28) as f64;
 const LIMIT: u64 = 400_000;
@@ -18,10 +12,7 @@ const LIMIT: u64 = 400_000;
 /// One tick of the unrounded path.
 type Point = (f64, f64);
 
-struct Generator {
-    program: Arc<Program>,
-    engine: Box<dyn Engine>,
-}
+struct Generator(Run<'static>);
 
 /// What is drawn: J, K, L, M from (X0, Y0), and how.
 #[derive(Clone, Copy, Debug)]
@@ -34,29 +25,23 @@ struct Stroke {
 
 impl Generator {
     fn new(parameters: &[(String, i64)]) -> Self {
-        let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(CIRCUIT)).expect("the circuit");
-        let netlist = load(CIRCUIT, &text, None, &Shelf { near: CIRCUIT }, parameters);
-        let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
-        let signals = |name: &str| ["x_88", "y_90"].contains(&name);
-        let program = Arc::new(compile(&netlist, &Observe { signals: &signals, until: None, pulses: false }));
-        let engine = EngineKind::Auto.build(Arc::clone(&program), u64::MAX).expect("an engine");
-        Self { program, engine }
+        let session = Circuit::shipped("us3809868/fig04_function_generator").expect("the circuit").session();
+        let session = parameters.iter().fold(session, |session, (name, value)| session.parameter(name, *value));
+        let session = session.observe(Select::new(["x_88", "y_90"]).expect("globs"));
+        Self(session.start().unwrap_or_else(|report| panic!("{report}")))
     }
 
     fn set(&mut self, name: &str, value: i64) {
-        let input = self.program.inputs.iter().position(|port| port.name == name).expect("an input");
-        let port = &self.program.inputs[input];
-        self.engine.set_input(input, encode(value.into(), port.width, port.signed).expect("a word that fits"));
+        let set = self.0.input(name).and_then(|input| self.0.set(input, value));
+        set.unwrap_or_else(|report| panic!("{value} in {name}: {report}"));
     }
 
     fn output(&self, name: &str) -> i64 {
-        let port = self.program.outputs.iter().find(|port| port.name == name).expect("an output");
-        decode(self.engine.value(port.value), port.width, port.signed) as i64
+        self.0.read(self.0.net(name).expect("an output")) as i64
     }
 
     fn unrounded(&self, name: &str) -> f64 {
-        let signal = self.program.signals.iter().find(|signal| signal.name() == name).expect("a signal");
-        signed(self.engine.value(signal.value), signal.width) as f64 / COUNT
+        self.output(name) as f64 / COUNT
     }
 
     /// Draws; returns the path while the mark is lit (before the last rounding) and the rounded end.
@@ -67,11 +52,11 @@ impl Generator {
         inputs.into_iter().for_each(|(name, value)| self.set(name, value));
         self.set("fast", stroke.fast.into());
         self.set("start", 1);
-        self.engine.advance(1, false);
+        self.0.step(1);
         self.set("start", 0);
         let mut path = Vec::new();
         for _ in 0..LIMIT {
-            self.engine.advance(1, false);
+            self.0.step(1);
             if self.output("mark") == 1 {
                 path.push((self.unrounded("x_88"), self.unrounded("y_90")));
             }
@@ -138,7 +123,7 @@ fn a_start_with_a_wrong_number_of_quarters_is_refused_and_told() {
     for (quarters, refused) in [(0, 1), (5, 1), (7, 1), (1, 0)] {
         generator.set("quarters", quarters);
         generator.set("start", 1);
-        generator.engine.advance(1, false);
+        generator.0.step(1);
         assert_eq!((generator.output("error"), generator.output("busy")), (refused, 1 - refused));
     }
 }

@@ -11,11 +11,12 @@ const MAY_IMPORT: &[(&str, Option<&[&str]>)] = &[
     ("compile", Some(&["base", "blocks", "netlist"])),
     ("engine", Some(&["base", "compile"])),
     ("scenario", Some(&["base"])),
-    ("trace", Some(&["base"])),
+    ("files", Some(&["base"])),
+    ("trace", Some(&["base", "files"])),
     ("golden", Some(&["base"])),
     ("export", Some(&["base", "blocks", "netlist", "scenario"])),
     // The front door puts the rooms together; only the command line stands before it.
-    ("simulation", Some(&["base", "blocks", "netlist", "compile", "engine", "scenario", "trace"])),
+    ("simulation", Some(&["base", "blocks", "netlist", "compile", "engine", "files", "scenario", "trace"])),
     ("cli", None),
 ];
 

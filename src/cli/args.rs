@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 
 pub use super::sweep::SweepArguments;
-use crate::engine::EngineKind;
+use crate::base::{Diagnostic, Report};
 use crate::scenario::Number;
+use crate::simulation::{EngineKind, Session};
 
 /// Cycle-accurate simulator for digital interpolation hardware.
 #[derive(Parser, Debug)]
@@ -124,38 +125,78 @@ pub struct Target {
     pub engine: EngineKind,
 }
 
+impl Target {
+    /// The session that was typed.
+    ///
+    /// # Errors
+    /// `C001` nothing of that name, `C007` a limit that contradicts the ticks, and what is wrong in the scenario.
+    pub fn session(&self) -> Result<Session, Report> {
+        if let (Some(ticks), Some(limit)) = (self.ticks, self.limit)
+            && limit < ticks
+        {
+            let diagnostic = Diagnostic::new("C007", format!("--limit {limit} is less than --ticks {ticks}"));
+            return Err(diagnostic.help("leave one of them out").into());
+        }
+        let mut session = Session::open(&self.target)?.engine(self.engine);
+        session = self.set.iter().fold(session, |session, (name, value)| session.input(name, *value));
+        session = self.param.iter().fold(session, |session, (name, value)| session.parameter(name, *value));
+        session = self.ticks.iter().fold(session, |session, &ticks| session.ticks(ticks));
+        session = self.until.iter().fold(session, |session, net| session.until(net));
+        Ok(self.limit.iter().fold(session, |session, &limit| session.limit(limit)))
+    }
+}
+
 /// Arguments of `run`.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:\n  \
     stepwright run su1522157/table1 --table\n  \
     stepwright run su1522157/interpolator -s major_32=8 -s minor_34=3 -p MINUS_ZERO=1 --json\n  \
-    stepwright run ./my.v -s start=1 --until done --vcd my.vcd --trace 'counter_*' --from 100 --to 200")]
+    stepwright run ./my.v -s start=1 --until done --wave my.fst --trace 'counter_*' --from 100 --to 200\n  \
+    stepwright run su1522157/table1 --csv - --columns f_1,r_14 --when step_x_36\n\n\
+    The file - is standard output. A waveform's format follows from its ending.")]
+#[command(group = ArgGroup::new("waveform").multiple(true).args(["wave", "vcd", "fst"]))]
+#[command(group = ArgGroup::new("rows").multiple(true).args(["table", "csv"]))]
 pub struct RunArguments {
     /// What to run.
     #[command(flatten)]
     pub target: Target,
-    /// Write the waveform as VCD
+    /// Write the waveform, as VCD or FST as the file's name ends (may be given again)
+    #[arg(long, value_name = "FILE.vcd|.fst")]
+    pub wave: Vec<PathBuf>,
+    /// Write the waveform as VCD, whatever the file is called
     #[arg(long, value_name = "FILE")]
     pub vcd: Option<PathBuf>,
-    /// Write the waveform as FST
+    /// Write the waveform as FST, whatever the file is called
     #[arg(long, value_name = "FILE")]
     pub fst: Option<PathBuf>,
     /// Write a GTKWave save file for the waveform
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", requires = "waveform")]
     pub gtkw: Option<PathBuf>,
     /// Trace only the signals that match (dotted names; may be given again)
-    #[arg(long, value_name = "GLOB")]
+    #[arg(long, value_name = "GLOB", requires = "waveform")]
     pub trace: Vec<String>,
     /// Trace from this tick on
-    #[arg(long, value_name = "TICK")]
+    #[arg(long, value_name = "TICK", requires = "waveform")]
     pub from: Option<u64>,
     /// Trace up to and including this tick
-    #[arg(long, value_name = "TICK")]
+    #[arg(long, value_name = "TICK", requires = "waveform")]
     pub to: Option<u64>,
     /// Print a table of signals, tick by tick or as the scenario's table says
-    #[arg(long, conflicts_with = "json")]
+    #[arg(long)]
     pub table: bool,
-    /// Print the result as one JSON object
+    /// Write that table as CSV
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// The table's columns: names of signals
+    #[arg(long, value_name = "NAME,..", value_delimiter = ',', requires = "rows")]
+    pub columns: Vec<String>,
+    /// The table's rows: ticks in which one of these nets is high
+    #[arg(long, value_name = "NET,..", value_delimiter = ',', requires = "rows")]
+    pub when: Vec<String>,
+    /// Draw the path, as is done anyway without --json
+    #[arg(long)]
+    pub plot: bool,
+    /// Print the result as one JSON object, with the table and the path where they are asked for
     #[arg(long)]
     pub json: bool,
 }

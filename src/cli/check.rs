@@ -1,22 +1,19 @@
 //! `stepwright check`: scenarios against their golden traces and expectations.
 
 use std::fmt::Write as _;
-use std::io::{self, Write as _};
+use std::io::{self, Cursor, Write as _};
 use std::path::{Component, Path, PathBuf};
-use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::drivers::drivers;
-use super::prepare::{self, Prepared};
-use super::run::{selection, signal_names};
-use super::{Ending, colored, files, judge, print};
+use super::observers::selection;
+use super::{Ending, colored, print};
 use crate::base::{Diagnostic, Report};
-use crate::compile::{Observe, Program, compile};
-use crate::engine::{Engine, EngineKind};
+use crate::files;
 use crate::golden::{self, Comparison, Signals, Summary, Waveform};
-use crate::simulation;
-use crate::trace::{Plan, Sampler, VcdWriter, Window};
+use crate::simulation::{Design, EngineKind, Session};
+use crate::trace::{VCD, Wave};
 
 pub(super) fn check(named: &[String], bless: bool, engine: EngineKind) -> Result<Ending, Report> {
     let bless = bless || set("STEPWRIGHT_BLESS");
@@ -34,12 +31,12 @@ pub(super) fn check(named: &[String], bless: bool, engine: EngineKind) -> Result
     let verdicts: Vec<_> = scenarios.par_iter().map(|path| judge_one(path, bless, engine)).collect();
     let mut tally = Tally::default();
     for (path, verdict) in scenarios.iter().zip(verdicts) {
-        tally.take(path, verdict);
+        tally.take(path, verdict)?;
     }
     if named.is_empty() {
-        tally.lost(&lost_goldens(&scenarios));
+        tally.lost(&lost_goldens(&scenarios))?;
     }
-    Ok(tally.end())
+    tally.end()
 }
 
 fn set(name: &str) -> bool {
@@ -100,7 +97,7 @@ fn how_to_bless(scenario: &Path) -> String {
 
 /// A scenario that has been run and traced.
 struct Ran {
-    prepared: Prepared,
+    design: Design,
     vcd: Vec<u8>,
     waveform: Waveform,
     ticks: u64,
@@ -110,21 +107,16 @@ struct Ran {
 
 impl Ran {
     fn scenario(path: &Path, engine: EngineKind) -> Result<Self, Report> {
-        let text = files::read(path)?;
-        let scenario = crate::scenario::parse(&text.name, &text.text)?;
-        let circuit = files::circuit_of(&text, &scenario.circuit)?;
-        let prepared = prepare::build(scenario, Some(&text), circuit)?;
-        let select = selection(&[], &prepared.scenario)?;
-        let signals = |name: &str| select.matches(name);
-        let observe = Observe { signals: &signals, until: prepared.stimulus.stop.until, pulses: true };
-        let program = Arc::new(compile(&prepared.netlist, &observe));
-        select.check(&program.signals, || signal_names(&prepared))?;
-        let mut engine = engine.build(Arc::clone(&program), prepared.stimulus.stop.ticks)?;
-        let (vcd, outcome) = traced(engine.as_mut(), &program, &prepared)
-            .map_err(|error| Diagnostic::new("C003", format!("the trace could not be kept: {error}")))?;
+        let design = Session::open(&path.display().to_string())?.engine(engine).elaborate()?;
+        let mut vcd = Vec::new();
+        let wave = Wave::new(VCD, Box::new(Cursor::new(&mut vcd))).of(selection(&[], design.scenario())?);
+        let mut run = design.start_with(vec![Box::new(wave)])?;
+        let outcome = run.finish()?;
+        let failed = run.failed_expectations(&design.scenario().expect, &outcome);
+        let engine = run.engine();
+        drop(run);
         let waveform = golden::read("the run", vcd.as_slice())?;
-        let failed = judge::failed_expectations(&prepared.scenario.expect, &program, &outcome);
-        Ok(Self { vcd, waveform, ticks: outcome.ticks, failed, engine: engine.name(), prepared })
+        Ok(Self { vcd, waveform, ticks: outcome.ticks, failed, engine, design })
     }
 
     fn bless(self, golden: &Path) -> Result<Verdict, Report> {
@@ -145,10 +137,10 @@ impl Ran {
 
     /// The first difference, where it comes from, and what to do now.
     fn explain(&self, comparison: &Comparison, expected: &Waveform, scenario: &Path, golden: &Path) -> String {
-        let mut text = format!("circuit {}, engine {}\n{comparison}", self.prepared.circuit, self.engine);
+        let mut text = format!("circuit {}, engine {}\n{comparison}", self.design.circuit().name(), self.engine);
         if let Some(divergence) = &comparison.divergence {
             let nets: Vec<_> = divergence.nets.iter().map(|net| net.name.as_str()).collect();
-            let known = drivers(&self.prepared.netlist);
+            let known = drivers(self.design.netlist());
             for cause in golden::causes(expected, &self.waveform, &known, &nets, divergence.tick).iter().take(3) {
                 let _ = writeln!(text, "{cause}");
             }
@@ -156,26 +148,6 @@ impl Ran {
         let _ = writeln!(text, "to look: gtkwave {}", golden.display());
         text + &how_to_bless(scenario)
     }
-}
-
-fn traced(
-    engine: &mut dyn Engine,
-    program: &Program,
-    prepared: &Prepared,
-) -> io::Result<(Vec<u8>, simulation::Outcome)> {
-    let plan = Plan::new(&program.signals);
-    let mut sampler = Sampler::new(&plan, Window::ALL);
-    engine.watch(sampler.values());
-    let mut vcd = VcdWriter::new(Vec::new(), &plan)?;
-    let mut written = Ok(());
-    let mut sample = |tick: u64, engine: &dyn Engine| {
-        if let (Ok(()), Some(changes)) = (&written, sampler.sample_all(tick, |words| engine.read(words))) {
-            written = vcd.tick(tick, changes);
-        }
-    };
-    let outcome = simulation::run(engine, program, &prepared.stimulus, Some(&mut sample));
-    written?;
-    Ok((vcd.finish()?, outcome))
 }
 
 /// Golden traces whose scenario is gone: a lost scenario must not go unseen.
@@ -194,44 +166,42 @@ struct Tally {
 }
 
 impl Tally {
-    fn take(&mut self, path: &Path, verdict: Result<Verdict, Report>) {
+    fn take(&mut self, path: &Path, verdict: Result<Verdict, Report>) -> Result<(), Report> {
         let name = path.display();
         match verdict {
             Ok(Verdict::Equal(text)) => {
                 self.equal += 1;
-                print(&format!("ok       {name} ({text})\n"));
+                print(&format!("ok       {name} ({text})\n"))
             }
             Ok(Verdict::Blessed(text)) => {
                 self.blessed += 1;
-                print(&format!("blessed  {name}\n{}\n", indented(&text)));
+                print(&format!("blessed  {name}\n{}\n", indented(&text)))
             }
             Ok(Verdict::Different(text)) => {
                 self.different += 1;
-                print(&format!("DIFFERS  {name}\n{}\n", indented(&text)));
+                print(&format!("DIFFERS  {name}\n{}\n", indented(&text)))
             }
             Err(report) => {
                 self.broken += 1;
-                print(&format!("BROKEN   {name}\n"));
                 let _ = io::stderr().write_all(report.render(colored(&io::stderr())).as_bytes());
+                print(&format!("BROKEN   {name}\n"))
             }
         }
     }
 
-    fn lost(&mut self, goldens: &[PathBuf]) {
-        for golden in goldens {
-            self.different += 1;
-            print(&format!("LOST     {}: its scenario is gone\n", golden.display()));
-        }
+    fn lost(&mut self, goldens: &[PathBuf]) -> Result<(), Report> {
+        self.different += goldens.len();
+        goldens.iter().try_for_each(|golden| print(&format!("LOST     {}: its scenario is gone\n", golden.display())))
     }
 
-    fn end(self) -> Ending {
+    fn end(self) -> Result<Ending, Report> {
         let Self { equal, blessed, different, broken } = self;
-        print(&format!("{equal} equal, {blessed} blessed, {different} different, {broken} broken\n"));
-        match (different, broken) {
+        print(&format!("{equal} equal, {blessed} blessed, {different} different, {broken} broken\n"))?;
+        Ok(match (different, broken) {
             (0, 0) => Ending::Done,
             (_, 0) => Ending::Different,
             _ => Ending::Wrong,
-        }
+        })
     }
 }
 

@@ -13,7 +13,7 @@ pub(super) fn list(what: Listed) -> Result<Ending, Report> {
     print(&match what {
         Listed::Circuits => circuits()?,
         Listed::Blocks => blocks(),
-    });
+    })?;
     Ok(Ending::Done)
 }
 

@@ -1,26 +1,26 @@
-//! The command line: the only room that prints and opens files by name.
+//! The command line: the only room that prints.
 
 mod args;
 mod check;
 mod diff;
 mod drivers;
 mod export;
-mod files;
-mod judge;
+mod interrupt;
 mod list;
-mod picture;
-mod prepare;
+mod observers;
+mod result;
 mod run;
 mod show;
 mod sweep;
-mod waves;
 
 use std::io::{self, IsTerminal, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
 use crate::base::Report;
+use crate::files;
 use args::{Arguments, Command};
 
 /// How a command ended; the exit status of DESIGN part 4.
@@ -83,7 +83,12 @@ fn colored(stream: &impl IsTerminal) -> bool {
 }
 
 /// Writes a result to standard output. A reader that has gone away (`| head`) is no error.
-fn print(text: &str) {
+fn print(text: &str) -> Result<(), Report> {
     let mut out = io::stdout().lock();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(files::unwritable(Path::new("standard output"), &error).into())
+        }
+        _ => Ok(()),
+    }
 }

@@ -2,20 +2,18 @@
 
 use std::fmt::Write as _;
 
-use super::files::Modules;
-use super::prepare;
 use super::{Ending, print};
 use crate::base::{Diagnostic, Report};
 use crate::blocks::{self, Description, Direction, REGISTRY};
-use crate::netlist::{self, NetId, Netlist};
-use crate::simulation::shipped;
+use crate::netlist::Net;
+use crate::simulation::{Design, Session, shipped};
 
 pub(super) fn show(name: &str) -> Result<Ending, Report> {
     let text = match blocks::find(name) {
         Some(block) => block_text(block.description()),
         None => circuit_text(name)?,
     };
-    print(&text);
+    print(&text)?;
     Ok(Ending::Done)
 }
 
@@ -50,14 +48,13 @@ fn block_text(block: &Description) -> String {
 }
 
 fn circuit_text(name: &str) -> Result<String, Report> {
-    let (scenario, _, circuit) = prepare::find(name).map_err(|report| unknown(name, report))?;
-    let parameters: Vec<_> = scenario.parameters.iter().map(|p| (p.name.clone(), p.value)).collect();
-    let netlist = netlist::load(&circuit.name, &circuit.text, None, &Modules::of(&circuit), &parameters)?;
-    let mut text = format!("circuit {}\n", prepare::circuit_name(&circuit.name));
-    if !scenario.title.is_empty() {
-        let _ = writeln!(text, "scenario: {}", scenario.title);
+    let design = Session::open(name).map_err(|report| unknown(name, report))?.elaborate()?;
+    let (netlist, title) = (design.netlist(), &design.scenario().title);
+    let mut text = format!("circuit {}\n", design.circuit().name());
+    if !title.is_empty() {
+        let _ = writeln!(text, "scenario: {title}");
     }
-    let _ = writeln!(text, "\n{}", header_comment(&circuit.text));
+    let _ = writeln!(text, "\n{}", header_comment(design.circuit().source()));
     if !netlist.parameters.is_empty() {
         text.push_str("parameters\n");
     }
@@ -65,8 +62,7 @@ fn circuit_text(name: &str) -> Result<String, Report> {
         let _ = writeln!(text, "    {name:20} {value}");
     }
     text.push_str("ports\n");
-    ports(&netlist, &netlist.inputs, "input", &mut text);
-    ports(&netlist, &netlist.outputs, "output", &mut text);
+    ports(&design, &mut text);
     let _ = writeln!(
         text,
         "{} blocks and gates, {} nets, {} modules",
@@ -95,11 +91,13 @@ fn header_comment(text: &str) -> String {
     comment.map(|line| line.strip_prefix(' ').unwrap_or(line).to_owned() + "\n").collect()
 }
 
-fn ports(netlist: &Netlist, nets: &[NetId], direction: &str, text: &mut String) {
-    for net in nets.iter().map(|net| &netlist.nets[net.index()]) {
+fn ports(design: &Design, text: &mut String) {
+    let inputs = design.inputs().map(|net| ("input", net));
+    for (direction, net) in inputs.chain(design.outputs().map(|net| ("output", net))) {
+        let Net { name, width, .. } = net;
         let signed = if net.signed { ", signed" } else { "" };
         let fraction = net.fraction.map_or_else(String::new, |bits| format!(", {bits} of them fraction"));
-        let bits = if net.width == 1 { "1 bit".to_owned() } else { format!("{} bits{signed}{fraction}", net.width) };
-        let _ = writeln!(text, "    {direction:7} {:20} {bits}", net.name);
+        let bits = if *width == 1 { "1 bit".to_owned() } else { format!("{width} bits{signed}{fraction}") };
+        let _ = writeln!(text, "    {direction:7} {name:20} {bits}");
     }
 }

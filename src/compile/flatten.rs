@@ -23,6 +23,8 @@ pub(super) fn flatten(netlist: &Netlist, observe: &Observe<'_>) -> Program {
     let inputs = netlist.inputs.iter().map(|&net| flat.port(net)).collect();
     let outputs = netlist.outputs.iter().map(|&net| flat.port(net)).collect();
     let signals = flat.signals(observe);
+    let one_bit = |&output: &usize| observe.pulses && netlist.nets[netlist.outputs[output].index()].width == 1;
+    let pulses = (0..netlist.outputs.len()).filter(one_bit).collect();
     let owners = netlist.scopes.iter().map(|scope| Owner {
         parent: scope.parent.map(|parent| OwnerId::new(parent.index())),
         module: scope.module.clone(),
@@ -32,7 +34,7 @@ pub(super) fn flatten(netlist: &Netlist, observe: &Observe<'_>) -> Program {
         owners: owners.collect(),
         inputs,
         outputs,
-        pulses: Vec::new(),
+        pulses,
         signals,
         stop: None,
         graph: Graph::default(),

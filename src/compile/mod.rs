@@ -1,4 +1,4 @@
-//! From a checked netlist to a program: flatten, probe, levelize, fold.
+//! From a checked netlist to a program: flatten, levelize, fold.
 //!
 //! What is observable is decided first ([`Observe`]); everything else may be optimised away.
 
@@ -6,7 +6,6 @@ mod flatten;
 mod fold;
 mod levelize;
 mod observe;
-mod probe;
 mod program;
 
 pub use observe::{Observe, Until};
@@ -18,7 +17,6 @@ use crate::netlist::Netlist;
 #[must_use]
 pub fn compile(netlist: &Netlist, observe: &Observe<'_>) -> Program {
     let program = flatten::flatten(netlist, observe);
-    let program = probe::probe(program, observe);
     compile_graph(program)
 }
 

@@ -18,7 +18,7 @@ pub struct Observe<'a> {
     pub signals: &'a dyn Fn(&str) -> bool,
     /// When to stop.
     pub until: Option<Until>,
-    /// Whether to count, for each one-bit output, the ticks it is high.
+    /// Whether engines count the pulses of one-bit outputs.
     pub pulses: bool,
 }
 

@@ -33,9 +33,8 @@ pub struct Program {
     pub inputs: Vec<Port>,
     /// Outputs.
     pub outputs: Vec<Port>,
-    /// For each one-bit output whose pulses are counted: its place in `outputs`, and a 64-bit value that tells
-    /// how many ticks it has been high, the present one included.
-    pub pulses: Vec<(usize, ValueId)>,
+    /// The one-bit outputs whose pulses an engine counts: places in `outputs`.
+    pub pulses: Vec<usize>,
     /// Signals that can be traced.
     pub signals: Vec<Signal>,
     /// One bit that is 1 when the run is to stop.
@@ -48,18 +47,21 @@ impl Program {
     pub fn observed(&self) -> Vec<ValueId> {
         let ports = self.inputs.iter().chain(&self.outputs).map(|port| port.value);
         let signals = self.signals.iter().map(|signal| signal.value);
-        let mut all: Vec<_> =
-            ports.chain(signals).chain(self.pulses.iter().map(|(_, value)| *value)).chain(self.stop).collect();
+        let mut all: Vec<_> = ports.chain(signals).chain(self.stop).collect();
         all.sort_unstable();
         all.dedup();
         all
+    }
+
+    /// The values of the outputs whose pulses are counted, in order.
+    pub fn counted(&self) -> impl Iterator<Item = ValueId> + '_ {
+        self.pulses.iter().map(|&output| self.outputs[output].value)
     }
 
     /// Applies `f` to every value that is kept because it is observable.
     pub(super) fn map_observed(&mut self, f: impl Fn(ValueId) -> ValueId) {
         let ports = self.inputs.iter_mut().chain(&mut self.outputs).map(|port| &mut port.value);
         let signals = self.signals.iter_mut().map(|signal| &mut signal.value);
-        let pulses = self.pulses.iter_mut().map(|(_, value)| value);
-        ports.chain(signals).chain(pulses).chain(&mut self.stop).for_each(|value| *value = f(*value));
+        ports.chain(signals).chain(&mut self.stop).for_each(|value| *value = f(*value));
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use super::{Engine, Interpreter, LanesEngine, Native};
+use super::{Engine, Interpreter};
 use crate::base::Diagnostic;
 use crate::compile::Program;
 
@@ -56,19 +56,44 @@ impl EngineKind {
     /// this machine.
     ///
     /// # Errors
-    /// `E001` when native code was asked for by name and cannot be made.
+    /// `E001` when native code was asked for by name and cannot be made, `E003` an engine that was not built in.
     pub fn build(self, program: Arc<Program>, ticks: u64) -> Result<Box<dyn Engine>, Diagnostic> {
         match self.resolve(ticks) {
-            EngineKind::Interpreter => return Ok(Box::new(Interpreter::new(program))),
-            EngineKind::Lanes => return Ok(Box::new(LanesEngine::new(&program))),
-            EngineKind::Native | EngineKind::Auto => {}
-        }
-        match Native::new(Arc::clone(&program)) {
-            Ok(engine) => Ok(Box::new(engine)),
-            Err(_) if self == EngineKind::Auto => Ok(Box::new(Interpreter::new(program))),
-            Err(why) => Err(why),
+            EngineKind::Interpreter => Ok(Box::new(Interpreter::new(program))),
+            EngineKind::Lanes => lanes(&program),
+            EngineKind::Native | EngineKind::Auto => match native(&program) {
+                Err(_) if self == EngineKind::Auto => Ok(Box::new(Interpreter::new(program))),
+                made => made,
+            },
         }
     }
+}
+
+#[cfg(feature = "native")]
+fn native(program: &Arc<Program>) -> Result<Box<dyn Engine>, Diagnostic> {
+    Ok(Box::new(super::Native::new(Arc::clone(program))?))
+}
+
+#[cfg(not(feature = "native"))]
+fn native(_: &Arc<Program>) -> Result<Box<dyn Engine>, Diagnostic> {
+    Err(not_built_in("native"))
+}
+
+#[cfg(feature = "lanes")]
+fn lanes(program: &Program) -> Result<Box<dyn Engine>, Diagnostic> {
+    Ok(Box::new(super::LanesEngine::new(program)))
+}
+
+#[cfg(not(feature = "lanes"))]
+fn lanes(_: &Program) -> Result<Box<dyn Engine>, Diagnostic> {
+    Err(not_built_in("lanes"))
+}
+
+/// The diagnostic for an engine that the crate was built without.
+#[must_use]
+pub fn not_built_in(engine: &str) -> Diagnostic {
+    Diagnostic::new("E003", format!("this program was built without the engine `{engine}`"))
+        .help(format!("build it with the feature `{engine}`, or take another engine"))
 }
 
 /// A new engine of every kind that runs on this machine, at tick 0: what a test of all engines goes through.

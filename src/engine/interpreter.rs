@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::Engine;
+use super::pulses::PulseMeter;
+use super::{Engine, Pulses};
 use crate::base::graph::evaluate;
 use crate::base::{Op, ValueId};
 use crate::compile::Program;
@@ -18,6 +19,8 @@ pub struct Interpreter {
     roms: Vec<Vec<u64>>,
     rams: Vec<Vec<u64>>,
     watched: Vec<ValueId>,
+    counted: Vec<ValueId>,
+    pulses: PulseMeter,
 }
 
 impl Interpreter {
@@ -32,6 +35,8 @@ impl Interpreter {
             roms: graph.roms.iter().map(|rom| rom.image.words().collect()).collect(),
             rams: graph.rams.iter().map(|ram| ram.image.words().collect()).collect(),
             watched: Vec::new(),
+            pulses: PulseMeter::new(program.pulses.len()),
+            counted: program.counted().collect(),
             program,
         };
         engine.settle();
@@ -72,6 +77,7 @@ impl Interpreter {
 
     fn commit(&mut self) {
         let program = Arc::clone(&self.program);
+        self.pulses.leave(|i| self.values[self.counted[i].index()] != 0);
         for (ram, memory) in program.graph.rams.iter().zip(0..) {
             if self.word(ram.write.enable) != 0 {
                 let (address, data) = (self.word(ram.write.address), self.word(ram.write.data));
@@ -122,6 +128,10 @@ impl Engine for Interpreter {
 
     fn value(&self, id: ValueId) -> u64 {
         self.word(id)
+    }
+
+    fn pulses(&self) -> Vec<Pulses> {
+        self.pulses.counts(|i| self.word(self.counted[i]) != 0)
     }
 
     fn watch(&mut self, ids: &[ValueId]) {

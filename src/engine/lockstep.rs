@@ -3,13 +3,15 @@
 use std::collections::HashSet;
 use std::fmt;
 
-use super::Engine;
+use super::{Engine, Pulses};
 use crate::base::ValueId;
 use crate::compile::Program;
 
 /// Runs two engines side by side and behaves like the first.
 pub struct Lockstep {
     names: Vec<(String, ValueId)>,
+    /// Outputs whose pulses are counted.
+    counted: Vec<String>,
     stop: Option<ValueId>,
     engines: [Box<dyn Engine>; 2],
     stride: u64,
@@ -36,7 +38,8 @@ impl Lockstep {
     #[must_use]
     pub fn new(program: &Program, engines: [Box<dyn Engine>; 2], stride: u64) -> Self {
         let (names, stop) = (names(program), program.stop);
-        let mut lockstep = Self { names, stop, engines, stride: stride.max(1), tick: 0, difference: None };
+        let counted = program.pulses.iter().map(|&output| program.outputs[output].name.clone()).collect();
+        let mut lockstep = Self { names, counted, stop, engines, stride: stride.max(1), tick: 0, difference: None };
         lockstep.compare(None);
         lockstep
     }
@@ -57,7 +60,8 @@ impl Lockstep {
         }
         let words = |id: ValueId| [self.engines[0].value(id), self.engines[1].value(id)];
         let all = self.names.iter().map(|(name, id)| (name, words(*id)));
-        let signals: Vec<_> = all.filter(|(_, [a, b])| a != b).map(|(name, words)| (name.clone(), words)).collect();
+        let values = all.map(|(name, words)| (name.clone(), words));
+        let signals: Vec<_> = values.chain(self.counts()).filter(|(_, [a, b])| a != b).collect();
         let advanced = advanced.filter(|[a, b]| a != b);
         if advanced.is_some() || !signals.is_empty() {
             let engines = [self.engines[0].name(), self.engines[1].name()];
@@ -66,13 +70,23 @@ impl Lockstep {
     }
 }
 
+impl Lockstep {
+    /// Rising edges and high ticks of the counted outputs.
+    fn counts(&self) -> impl Iterator<Item = (String, [u64; 2])> {
+        let pulses = self.engines[0].pulses().into_iter().zip(self.engines[1].pulses());
+        self.counted.iter().zip(pulses).flat_map(|(name, (a, b))| {
+            let rising = (format!("rising edges of {name}"), [a.rising, b.rising]);
+            [rising, (format!("high ticks of {name}"), [a.high, b.high])]
+        })
+    }
+}
+
 /// Every observed value with a name to tell it by; a value of several names by the first.
 fn names(program: &Program) -> Vec<(String, ValueId)> {
     let signals = program.signals.iter().map(|signal| (signal.name(), signal.value));
     let ports = program.inputs.iter().chain(&program.outputs).map(|port| (port.name.clone(), port.value));
-    let pulses = program.pulses.iter().map(|&(i, value)| (format!("pulses of {}", program.outputs[i].name), value));
     let stop = program.stop.map(|value| ("the stop condition".to_owned(), value));
-    let mut all: Vec<_> = signals.chain(ports).chain(pulses).chain(stop).collect();
+    let mut all: Vec<_> = signals.chain(ports).chain(stop).collect();
     let mut seen = HashSet::new();
     all.retain(|(_, value)| seen.insert(*value));
     all
@@ -109,6 +123,10 @@ impl Engine for Lockstep {
 
     fn value(&self, id: ValueId) -> u64 {
         self.engines[0].value(id)
+    }
+
+    fn pulses(&self) -> Vec<Pulses> {
+        self.engines[0].pulses()
     }
 
     fn watch(&mut self, ids: &[ValueId]) {

@@ -3,16 +3,21 @@
 pub mod batch;
 mod choose;
 mod interpreter;
+#[cfg(feature = "lanes")]
 mod lanes;
 mod lockstep;
+#[cfg(feature = "native")]
 mod native;
+mod pulses;
 
-pub use batch::StoppedBy;
-pub use choose::{EngineKind, all};
+pub use choose::{EngineKind, all, not_built_in};
 pub use interpreter::Interpreter;
+#[cfg(feature = "lanes")]
 pub use lanes::{LanesEngine, Path as LanesPath};
 pub use lockstep::{Difference, Lockstep};
+#[cfg(feature = "native")]
 pub use native::Native;
+pub use pulses::Pulses;
 
 use crate::base::ValueId;
 
@@ -39,6 +44,9 @@ pub trait Engine {
 
     /// An observed value ([`crate::compile::Program::observed`]) as last settled.
     fn value(&self, id: ValueId) -> u64;
+
+    /// The pulses of the outputs that the program counts, in their order, from tick 0 to the present one.
+    fn pulses(&self) -> Vec<Pulses>;
 
     /// Chooses the observed values that [`Engine::read`] reads from now on.
     fn watch(&mut self, ids: &[ValueId]);

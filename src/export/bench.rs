@@ -3,18 +3,8 @@
 use super::expression::{literal, range};
 use super::module::number;
 use super::page::Page;
+use crate::base::Stimulus;
 use crate::netlist::{Net, NetId, Netlist};
-
-/// What a bench does to a circuit, in words of its inputs, which are numbered as in [`Netlist::inputs`].
-#[derive(Clone, Copy, Debug)]
-pub struct BenchInputs<'a> {
-    /// The word of every input at tick 0, before the changes of tick 0.
-    pub initial: &'a [u64],
-    /// Ticks in increasing order, each with the inputs that change in it and their new words, which they keep.
-    pub changes: &'a [(u64, Vec<(usize, u64)>)],
-    /// How many ticks to show: tick 0 to the one before this number. At least 1.
-    pub ticks: u64,
-}
 
 /// The module name of the bench of a circuit.
 #[must_use]
@@ -22,12 +12,12 @@ pub fn bench_name(netlist: &Netlist) -> String {
     format!("{}_bench", netlist.scopes[0].module)
 }
 
-/// The text of a Verilog-2005 file with a bench module that drives the top module of `netlist` and writes
-/// `bench.vcd`.
+/// The text of a Verilog-2005 file with a bench module that drives the top module of `netlist` through `ticks` ticks
+/// (at least 1) of `stimulus`, whatever that says of stopping, and writes `bench.vcd`.
 ///
 /// The clock rises at 1, 2, 3 ... ns: what our waveforms show of tick t at t ns, this one shows from t to t + 1 ns.
 #[must_use]
-pub fn bench(netlist: &Netlist, inputs: BenchInputs<'_>) -> String {
+pub fn bench(netlist: &Netlist, stimulus: &Stimulus, ticks: u64) -> String {
     let top = &netlist.scopes[0].module;
     let name = bench_name(netlist);
     let mut page = Page::default();
@@ -47,7 +37,7 @@ pub fn bench(netlist: &Netlist, inputs: BenchInputs<'_>) -> String {
         page.block("initial begin", "end", |page| {
             page.line("$dumpfile(\"bench.vcd\");");
             page.line(format!("$dumpvars(0, {top});"));
-            inputs.write(page, netlist);
+            drive(page, netlist, stimulus, ticks);
         });
     });
     page.finish()
@@ -93,23 +83,21 @@ fn clock(page: &mut Page) {
     });
 }
 
-impl BenchInputs<'_> {
-    /// Inputs change together with the registers, by assignments that take effect after every register has read.
-    fn write(&self, page: &mut Page, netlist: &Netlist) {
-        let set = |(input, word): (usize, u64), operator| {
-            let port = net(netlist, netlist.inputs[input]);
-            format!("{} {operator} {};", port.name, literal(word, port.width))
-        };
-        self.initial.iter().enumerate().for_each(|(input, &word)| page.line(set((input, word), "=")));
-        let (mut now, last) = (0, self.ticks.saturating_sub(1));
-        for (tick, words) in self.changes.iter().filter(|(tick, _)| *tick <= last) {
-            wait(page, tick - now);
-            now = *tick;
-            words.iter().for_each(|&word| page.line(set(word, if now == 0 { "=" } else { "<=" })));
-        }
-        wait(page, last - now);
-        page.line("#0.5 $finish(0);");
+/// Inputs change together with the registers, by assignments that take effect after every register has read.
+fn drive(page: &mut Page, netlist: &Netlist, stimulus: &Stimulus, ticks: u64) {
+    let set = |input: usize, word: u64, operator| {
+        let port = net(netlist, netlist.inputs[input]);
+        format!("{} {operator} {};", port.name, literal(word, port.width))
+    };
+    stimulus.initial.iter().enumerate().for_each(|(input, &word)| page.line(set(input, word, "=")));
+    let (mut now, last) = (0, ticks.saturating_sub(1));
+    for change in stimulus.changes.iter().take_while(|change| change.tick <= last) {
+        wait(page, change.tick - now);
+        now = change.tick;
+        page.line(set(change.input, change.word, if now == 0 { "=" } else { "<=" }));
     }
+    wait(page, last - now);
+    page.line("#0.5 $finish(0);");
 }
 
 fn wait(page: &mut Page, ticks: u64) {

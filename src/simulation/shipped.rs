@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use crate::base::Diagnostic;
+use crate::files::Text;
 use crate::netlist::Library;
 
 /// Path below `circuits/` and text of every shipped file, in order of path.
@@ -11,6 +13,13 @@ static FILES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/shipped.rs")
 #[must_use]
 pub fn text(path: &str) -> Option<&'static str> {
     FILES.iter().find(|(known, _)| *known == path).map(|(_, text)| *text)
+}
+
+/// A shipped circuit (`v`) or scenario (`toml`) by its name, such as `su1522157/interpolator`.
+#[must_use]
+pub fn file(name: &str, ending: &str) -> Option<Text> {
+    let path = format!("{name}.{ending}");
+    text(&path).map(|text| Text { name: format!("circuits/{path}"), path: None, text: text.into() })
 }
 
 /// The names of all shipped circuits (`v`) or scenarios (`toml`): their paths without the ending.
@@ -33,4 +42,12 @@ impl Library for Shelf<'_> {
         let (path, text) = FILES.iter().find(|(path, _)| *path == beside).or_else(anywhere)?;
         Some((format!("circuits/{path}"), Arc::from(*text)))
     }
+}
+
+/// `C001`: nothing of that name, and what is near.
+#[must_use]
+pub fn unknown(target: &str) -> Diagnostic {
+    Diagnostic::new("C001", format!("there is no circuit or scenario `{target}`"))
+        .nearest(target, names("v").chain(names("toml")))
+        .help("`stepwright list` names the shipped ones; a file of yours is named by its path, as in ./my.v")
 }

@@ -1,33 +1,11 @@
 //! A scenario resolved against a netlist: names become input numbers and nets, numbers become words.
 
-use crate::base::Diagnostic;
+use crate::base::{Change, Diagnostic, Stimulus, StopRule};
 use crate::compile::Until;
 use crate::netlist::{Net, NetId, Netlist};
 use crate::scenario::{Named, Number, Scenario, Stop, UntilNet};
 
-/// What is done to a circuit's inputs, and when to stop.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Stimulus {
-    /// The word of every input at tick 0 before the changes of tick 0, in the order of [`Netlist::inputs`].
-    pub initial: Vec<u64>,
-    /// Ticks in increasing order, each with the inputs that change in it and their new words.
-    pub changes: Vec<(u64, Vec<(usize, u64)>)>,
-    /// When to stop.
-    pub stop: StopRule,
-}
-
-/// When a run ends.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct StopRule {
-    /// The net to wait for, if any.
-    pub until: Option<Until>,
-    /// The first tick in which `until` is judged.
-    pub first_judged: u64,
-    /// Most ticks to run, at least 1.
-    pub ticks: u64,
-}
-
-/// How long a run may last when neither scenario nor user says so.
+/// How long a run may last when nobody says so.
 pub const DEFAULT_LIMIT: u64 = 1_000_000;
 
 /// Resolves a scenario against the circuit it names.
@@ -35,24 +13,21 @@ pub const DEFAULT_LIMIT: u64 = 1_000_000;
 /// # Errors
 /// `S010` unknown input, `S011` a number that does not fit, `S012` unknown net to wait for, `S013` no tick to run;
 /// all of them at once.
-pub fn resolve(netlist: &Netlist, scenario: &Scenario) -> Result<Stimulus, Vec<Diagnostic>> {
+pub(super) fn resolve(netlist: &Netlist, scenario: &Scenario) -> Result<(Stimulus, Option<Until>), Vec<Diagnostic>> {
     let mut wrong = Vec::new();
     let mut word = |entry: &Named<Number>| input_word(netlist, entry).map_err(|error| wrong.push(error)).ok();
     let mut initial = vec![0; netlist.inputs.len()];
     for (input, value) in scenario.inputs.iter().filter_map(&mut word) {
         initial[input] = value;
     }
-    let mut changes: Vec<(u64, Vec<(usize, u64)>)> = Vec::new();
+    let mut changes = Vec::new();
     for change in &scenario.changes {
         let words = change.set.iter().filter_map(&mut word);
-        match changes.last_mut() {
-            Some((tick, all)) if *tick == change.tick => all.extend(words),
-            _ => changes.push((change.tick, words.collect())),
-        }
+        changes.extend(words.map(|(input, word)| Change { tick: change.tick, input, word }));
     }
     let stop = stop_rule(netlist, scenario).map_err(|error| wrong.push(error));
     match stop {
-        Ok(stop) if wrong.is_empty() => Ok(Stimulus { initial, changes, stop }),
+        Ok((stop, until)) if wrong.is_empty() => Ok((Stimulus { initial, changes, stop }, until)),
         _ => Err(wrong),
     }
 }
@@ -85,28 +60,34 @@ fn located(diagnostic: Diagnostic, span: Option<crate::base::Span>) -> Diagnosti
     }
 }
 
-fn stop_rule(netlist: &Netlist, scenario: &Scenario) -> Result<StopRule, Diagnostic> {
-    let first_judged = scenario.first_judged_tick();
-    let (until, ticks) = match &scenario.stop {
-        Some(Stop::Ticks(ticks)) => (None, *ticks),
-        Some(Stop::Until { net, limit }) => (Some(until_net(netlist, net)?), *limit),
-        None => (None, DEFAULT_LIMIT),
+fn stop_rule(netlist: &Netlist, scenario: &Scenario) -> Result<(StopRule, Option<Until>), Diagnostic> {
+    let (rule, until, ticks) = match &scenario.stop {
+        Some(Stop::Until { net, limit }) => (StopRule::Until { limit: *limit }, Some(until_net(netlist, net)?), *limit),
+        Some(Stop::Ticks(ticks)) => (StopRule::Ticks(*ticks), None, *ticks),
+        None => (StopRule::Ticks(DEFAULT_LIMIT), None, DEFAULT_LIMIT),
     };
     if ticks == 0 {
         return Err(Diagnostic::new("S013", "a run of 0 ticks shows nothing").help("run at least 1 tick"));
     }
-    Ok(StopRule { until, first_judged, ticks })
+    Ok((rule, until))
 }
 
 /// Finds the net of a `NET` or `!NET`, by its dotted name below the top module.
 ///
 /// # Errors
-/// `S012`, with the nearest name.
+/// `S012`, with the nearest name; `S015` the clock.
 fn until_net(netlist: &Netlist, wanted: &UntilNet) -> Result<Until, Diagnostic> {
-    let names: Vec<String> = (0..netlist.nets.len()).map(|i| netlist.net_name(NetId::new(i))).collect();
-    match names.iter().position(|name| *name == wanted.net) {
+    let name = |i| netlist.net_name(NetId::new(i));
+    match (0..netlist.nets.len()).find(|&i| name(i) == wanted.net) {
+        Some(net) if netlist.nets[net].is_clock => {
+            let message = format!("`{}` is the clock, which is high and low in every tick", wanted.net);
+            let diagnostic =
+                Diagnostic::new("S015", message).help("to stop after so many ticks: --ticks N, or ticks = N in [stop]");
+            Err(located(diagnostic, wanted.span))
+        }
         Some(net) => Ok(Until { net: NetId::new(net), high: wanted.high }),
         None => {
+            let names: Vec<_> = (0..netlist.nets.len()).filter(|&i| !netlist.nets[i].is_clock).map(name).collect();
             let diagnostic = Diagnostic::new("S012", format!("there is no net `{}` to wait for", wanted.net));
             Err(located(diagnostic.nearest(&wanted.net, names.iter().map(String::as_str)), wanted.span))
         }

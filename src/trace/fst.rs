@@ -8,7 +8,13 @@ use fst_writer::{
 };
 
 use super::ascii::put_bits;
-use super::{Change, Item, Plan};
+use super::writer::WaveWriter;
+use super::{Change, Format, Item, Plan};
+use crate::files::Out;
+
+/// FST.
+pub(super) static FORMAT: Format =
+    Format { ending: "fst", begin: |out, plan| Ok(Box::new(FstWriter::new(out, plan)?)) };
 
 /// Bytes of changes that make a block. The writer walks each signal's changes backwards when it closes a block, which
 /// is fast only while they are in the cache.
@@ -95,6 +101,16 @@ impl<W: Write + Seek> FstWriter<W> {
         let mut out = self.body.finish().map_err(error)?;
         out.flush()?;
         Ok(out)
+    }
+}
+
+impl<'o> WaveWriter<'o> for FstWriter<Box<dyn Out + 'o>> {
+    fn tick(&mut self, tick: u64, changes: &[Change]) -> io::Result<()> {
+        self.tick(tick, changes)
+    }
+
+    fn finish(self: Box<Self>) -> io::Result<Box<dyn Out + 'o>> {
+        (*self).finish()
     }
 }
 

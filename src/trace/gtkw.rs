@@ -5,8 +5,9 @@
 
 use std::fmt::{self, Write};
 
-use super::{Item, Plan};
-use crate::base::Signal;
+use super::{Frame, Item, Observer, Plan, Select};
+use crate::base::{Diagnostic, Report, Signal, ValueId};
+use crate::files::Out;
 
 const BITS: u32 = 0x28;
 const HEX: u32 = 0x22;
@@ -30,22 +31,63 @@ const CURVE_COLOR: u32 = 2;
 /// The widest unsigned word that is shown as a number; a wider one is read better in hex.
 const WIDEST_NUMBER: u32 = 32;
 
-/// A save file; shown, it is the file's text.
+/// Writes a save file for the waveform of some signals.
+pub struct SaveFile<'o> {
+    select: Select,
+    dump: String,
+    curves: Vec<String>,
+    text: String,
+    out: Option<Box<dyn Out + 'o>>,
+}
+
+impl<'o> SaveFile<'o> {
+    /// The save file for the waveform `dump` (a file name as seen from the folder of the save file) of the signals of
+    /// `select`; the words named in `curves`, below the top module, are drawn as curves though they have no fraction.
+    #[must_use]
+    pub fn new(select: Select, dump: String, curves: Vec<String>, out: Box<dyn Out + 'o>) -> Self {
+        Self { select, dump, curves, text: String::new(), out: Some(out) }
+    }
+}
+
+impl Observer for SaveFile<'_> {
+    fn wants(&self, name: &str) -> bool {
+        self.select.matches(name)
+    }
+
+    fn begin(&mut self, signals: &[Signal]) -> Result<Vec<ValueId>, Report> {
+        let plan = Plan::new(&self.select.of(signals)?);
+        self.text = SaveText { plan: &plan, dump: &self.dump, curves: &self.curves }.to_string();
+        Ok(Vec::new())
+    }
+
+    fn tick(&mut self, _: Frame<'_>) -> Result<(), Report> {
+        Ok(())
+    }
+
+    fn end(&mut self) -> Result<(), Report> {
+        let Some(mut out) = self.out.take() else { return Ok(()) };
+        let written = out.write_all(self.text.as_bytes());
+        written.map_err(|error| Diagnostic::new("C003", format!("cannot write {}: {error}", out.name())))?;
+        out.commit()
+    }
+}
+
+/// The text of a save file, shown.
 ///
 /// A group for each scope, in the order of the signals, what is inside the blocks closed; one-bit nets as bits,
 /// words as numbers; fixed-point words and the nets named in `curves` as stepped curves.
 ///
 /// ```
 /// use stepwright::base::{Signal, ValueId};
-/// use stepwright::trace::{Plan, SaveFile};
+/// use stepwright::trace::{Plan, SaveText};
 ///
 /// let path = ["top", "summer_1", "f"].map(str::to_owned).to_vec();
 /// let f = Signal { path, width: 16, signed: true, fraction: Some(3), value: ValueId::new(0) };
-/// let save = SaveFile { plan: &Plan::new(&[f]), dump: "run.vcd", curves: &[] };
+/// let save = SaveText { plan: &Plan::new(&[f]), dump: "run.vcd", curves: &[] };
 /// assert!(save.to_string().contains("[fpshift_count] 3\n@40008420\n+{f} top.summer_1.f[15:0]\n"));
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct SaveFile<'a> {
+pub struct SaveText<'a> {
     /// What the dump holds.
     pub plan: &'a Plan,
     /// File name of the dump, as seen from the folder of the save file.
@@ -54,7 +96,7 @@ pub struct SaveFile<'a> {
     pub curves: &'a [String],
 }
 
-impl fmt::Display for SaveFile<'_> {
+impl fmt::Display for SaveText<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "[dumpfile] \"{}\"\n[timestart] 0", self.dump)?;
         let mut scopes = Vec::new();
@@ -76,7 +118,7 @@ impl fmt::Display for SaveFile<'_> {
     }
 }
 
-impl SaveFile<'_> {
+impl SaveText<'_> {
     fn rows(&self, signal: &Signal) -> String {
         let fraction = signal.fraction.filter(|&fraction| fraction > 0);
         let is_curve = signal.width > 1 && (fraction.is_some() || self.curves.contains(&signal.name()));
@@ -139,7 +181,7 @@ mod tests {
             signal("top.f", 16, true, Some(3)),
         ];
         let plan = Plan::new(&signals);
-        let text = SaveFile { plan: &plan, dump: "a.vcd", curves: &["x".to_owned()] }.to_string();
+        let text = SaveText { plan: &plan, dump: "a.vcd", curves: &["x".to_owned()] }.to_string();
         let expected = "[dumpfile] \"a.vcd\"\n[timestart] 0\n@800200\n-top\n@28\n+{busy} top.busy\n\
             [color] 2\n@8024\n+{x} top.x[11:0]\n@20000\n-\n-\n-\n\
             [color] 2\n[fpshift_count] 3\n@40008420\n+{f} top.f[15:0]\n@20000\n-\n-\n-\n\

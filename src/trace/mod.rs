@@ -1,40 +1,55 @@
-//! Traces: which signals, sampled how, written as VCD, FST, save file or table.
+//! Traces: what looks at a run, and what it makes of it: waveforms, save files, tables, paths.
 //!
 //! ```
 //! use stepwright::base::{Signal, ValueId};
-//! use stepwright::trace::{Plan, Sampler, VcdWriter, Window};
+//! use stepwright::trace::{Frame, Observer, VCD, Wave};
 //!
 //! let path = |net: &str| vec!["top".to_owned(), "counter_14".to_owned(), net.to_owned()];
 //! let signal = |net, width, value| Signal {
 //!     path: path(net), width, signed: false, fraction: None, value: ValueId::new(value),
 //! };
-//! let plan = Plan::new(&[signal("count", 4, 0), signal("overflow", 1, 1)]);
-//! let mut sampler = Sampler::new(&plan, Window::ALL);
-//! let mut vcd = VcdWriter::new(Vec::new(), &plan)?;
+//! let mut text = Vec::new();
+//! let mut wave = Wave::new(VCD, Box::new(std::io::Cursor::new(&mut text)));
+//! wave.begin(&[signal("count", 4, 0), signal("overflow", 1, 1)])?;
 //! for tick in 0..3 {
-//!     let words = [tick % 16, u64::from(tick == 2)];
-//!     if let Some(changes) = sampler.sample(tick, |id| words[id.index()]) {
-//!         vcd.tick(tick, changes)?;
-//!     }
+//!     let words = |tick| [tick % 16, u64::from(tick == 2)];
+//!     let before = (tick > 0).then(|| words(tick - 1));
+//!     wave.tick(Frame { tick, words: &words(tick), before: before.as_ref().map(|words| &words[..]) })?;
 //! }
-//! let text = String::from_utf8(vcd.finish()?).unwrap();
-//! assert!(text.ends_with("#1\nb0001 !\n#2\nb0010 !\n1\"\n#3\n"));
-//! # Ok::<(), std::io::Error>(())
+//! wave.end()?;
+//! drop(wave);
+//! assert!(text.ends_with(b"#1\nb0001 !\n#2\nb0010 !\n1\"\n#3\n"));
+//! # Ok::<(), stepwright::base::Report>(())
 //! ```
 
 mod ascii;
+mod csv;
 mod fst;
 mod gtkw;
+mod observer;
+mod path;
+mod picture;
 mod plan;
 mod sampler;
 mod select;
 mod table;
 mod vcd;
+mod wave;
+mod writer;
 
+pub use csv::CsvTable;
 pub use fst::FstWriter;
-pub use gtkw::SaveFile;
+pub use gtkw::{SaveFile, SaveText};
+pub use observer::{Frame, Observer};
+pub use path::{Coordinate, Path};
+pub use picture::Picture;
 pub use plan::{Item, Plan, Slot, SlotId};
 pub use sampler::{Change, Sampler, Window};
 pub use select::Select;
-pub use table::Table;
+pub use table::{Rows, Table};
 pub use vcd::VcdWriter;
+pub use wave::Wave;
+pub use writer::{FORMATS, Format, WaveWriter};
+
+/// The format that everything reads.
+pub static VCD: &Format = &vcd::FORMAT;

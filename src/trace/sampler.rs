@@ -1,9 +1,8 @@
-//! The sampler: reads each distinct value once a tick, keeps the old ones, yields what changed.
+//! The sampler: compares the distinct values of a trace with those of the tick before, and yields what changed.
 
 use multiversion::multiversion;
 
-use super::{Plan, SlotId};
-use crate::base::ValueId;
+use super::{Frame, Plan, SlotId};
 
 /// A value that is not what it was at the tick before.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -28,13 +27,9 @@ impl Window {
     pub const ALL: Window = Window { from: 0, to: u64::MAX };
 }
 
-/// Reads the values of a [`Plan`] tick by tick.
+/// Finds what changed from tick to tick among the values of a [`Plan`].
 #[derive(Clone, Debug)]
 pub struct Sampler {
-    values: Vec<ValueId>,
-    words: Vec<u64>,
-    /// Those of the tick being read.
-    fresh: Vec<u64>,
     changes: Vec<Change>,
     window: Window,
     started: bool,
@@ -44,50 +39,31 @@ impl Sampler {
     /// A sampler for the ticks of `window`.
     #[must_use]
     pub fn new(plan: &Plan, window: Window) -> Self {
-        let values: Vec<_> = plan.slots().iter().map(|slot| slot.value).collect();
-        let count = values.len();
-        let (words, fresh) = (vec![0; count], vec![0; count]);
-        Self { words, fresh, changes: Vec::with_capacity(count), values, window, started: false }
+        Self { changes: Vec::with_capacity(plan.slots().len()), window, started: false }
     }
 
-    /// The values that are read, in order.
-    #[must_use]
-    pub fn values(&self) -> &[ValueId] {
-        &self.values
-    }
-
-    /// Reads the values at `tick` and returns those that changed since the last call; the first time all of them.
-    /// `None` outside the window, where nothing is read.
-    pub fn sample(&mut self, tick: u64, read: impl Fn(ValueId) -> u64) -> Option<&[Change]> {
-        let values = std::mem::take(&mut self.values);
-        let read_all = |words: &mut [u64]| words.iter_mut().zip(&values).for_each(|(word, &value)| *word = read(value));
-        let sampled = self.sample_all(tick, read_all).is_some();
-        self.values = values;
-        sampled.then_some(&self.changes)
-    }
-
-    /// The same with one call that reads all values: `read` puts the words of [`Sampler::values`] into the places given.
-    pub fn sample_all(&mut self, tick: u64, read: impl FnOnce(&mut [u64])) -> Option<&[Change]> {
-        if tick < self.window.from || tick > self.window.to {
+    /// What is not as it was in the tick before; at the first tick of the window every value. `None` outside the
+    /// window. `frame` holds the words of the plan's slots.
+    pub fn sample(&mut self, frame: Frame<'_>) -> Option<&[Change]> {
+        if frame.tick < self.window.from || frame.tick > self.window.to {
             return None;
         }
         self.changes.clear();
-        read(&mut self.fresh);
-        if self.started {
-            self.compare();
-        } else {
-            self.started = true;
-            let all = self.fresh.iter().enumerate();
-            self.changes.extend(all.map(|(slot, &word)| Change { slot: SlotId::new(slot), word }));
+        let started = std::mem::replace(&mut self.started, true);
+        match frame.before.filter(|_| started) {
+            Some(before) => self.compare(before, frame.words),
+            None => {
+                let all = frame.words.iter().enumerate();
+                self.changes.extend(all.map(|(slot, &word)| Change { slot: SlotId::new(slot), word }));
+            }
         }
-        std::mem::swap(&mut self.words, &mut self.fresh);
         Some(&self.changes)
     }
 
     /// Gathers the changed ones of up to 64 values in a mask, because a branch for each would be guessed wrong
     /// about as often as a signal changes.
-    fn compare(&mut self) {
-        for (part, (old, new)) in self.words.chunks(64).zip(self.fresh.chunks(64)).enumerate() {
+    fn compare(&mut self, before: &[u64], words: &[u64]) {
+        for (part, (old, new)) in before.chunks(64).zip(words.chunks(64)).enumerate() {
             let mut changed = changed(old, new);
             while changed != 0 {
                 let i = changed.trailing_zeros() as usize;
@@ -108,7 +84,7 @@ fn changed(old: &[u64], new: &[u64]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::Signal;
+    use crate::base::{Signal, ValueId};
     use proptest::prelude::*;
 
     fn plan(count: usize) -> Plan {
@@ -130,7 +106,8 @@ mod tests {
             let mut sampler = Sampler::new(&plan(history[0].len()), Window::ALL);
             let mut old: Option<&Vec<u64>> = None;
             for (tick, words) in history.iter().enumerate() {
-                let got = sampler.sample(tick as u64, |id| words[id.index()]).expect("inside the window").to_vec();
+                let frame = Frame { tick: tick as u64, words, before: old.map(Vec::as_slice) };
+                let got = sampler.sample(frame).expect("inside the window").to_vec();
                 let differs = |i: &usize| old.is_none_or(|old| old[*i] != words[*i]);
                 let expected = (0..words.len()).filter(differs).map(|i| Change { slot: SlotId::new(i), word: words[i] });
                 prop_assert_eq!(got, expected.collect::<Vec<_>>());
@@ -140,12 +117,11 @@ mod tests {
     }
 
     #[test]
-    fn outside_the_window_nothing_is_read_and_its_first_tick_yields_every_value() {
+    fn outside_the_window_there_is_nothing_and_its_first_tick_yields_every_value() {
         let mut sampler = Sampler::new(&plan(2), Window { from: 3, to: 4 });
-        let yielded = |changes: Option<&[Change]>| changes.map(<[Change]>::len);
-        assert_eq!(yielded(sampler.sample(2, |_| panic!("read before the window"))), None);
-        assert_eq!(yielded(sampler.sample(3, |_| 0)), Some(2));
-        assert_eq!(yielded(sampler.sample(4, |_| 0)), Some(0));
-        assert_eq!(yielded(sampler.sample(5, |_| panic!("read after the window"))), None);
+        let words = [0, 0];
+        let mut yielded =
+            |tick| sampler.sample(Frame { tick, words: &words, before: Some(&words) }).map(<[Change]>::len);
+        assert_eq!([2, 3, 4, 5].map(&mut yielded), [None, Some(2), Some(0), None]);
     }
 }

@@ -36,27 +36,41 @@ impl Select {
         if wrong.is_empty() { Ok(Self { globs }) } else { Err(Report::new(Sources::default(), wrong)) }
     }
 
+    /// Whether it is the selection of all names.
+    #[must_use]
+    pub fn is_all(&self) -> bool {
+        matches!(self.globs.as_slice(), [glob] if glob.glob().glob() == "*")
+    }
+
     /// Whether a dotted name is chosen.
     #[must_use]
     pub fn matches(&self, name: &str) -> bool {
         self.globs.iter().any(|glob| glob.is_match(name))
     }
 
-    /// Checks that every pattern chose one of `signals`; `all` yields every name there is, and is asked only when
-    /// something must be suggested.
+    /// The selection of all names.
+    ///
+    /// # Panics
+    /// Never: a star is a glob.
+    #[must_use]
+    pub fn all() -> Self {
+        Self::new(["*"]).expect("a star is a glob")
+    }
+
+    /// The chosen ones of `signals`, in their order.
     ///
     /// # Errors
     /// `W002` for each pattern that chose nothing, with the nearest names.
-    pub fn check(&self, signals: &[Signal], all: impl FnOnce() -> Vec<String>) -> Result<(), Report> {
+    pub fn of(&self, signals: &[Signal]) -> Result<Vec<Signal>, Report> {
         let names: Vec<_> = signals.iter().map(Signal::name).collect();
         let chose_nothing = |glob: &&GlobMatcher| !names.iter().any(|name| glob.is_match(name));
-        let idle: Vec<_> = self.globs.iter().filter(chose_nothing).collect();
-        if idle.is_empty() {
-            return Ok(());
+        let wrong: Vec<_> =
+            self.globs.iter().filter(chose_nothing).map(|glob| matches_nothing(glob.glob().glob(), &names)).collect();
+        if !wrong.is_empty() {
+            return Err(Report::new(Sources::default(), wrong));
         }
-        let all = all();
-        let wrong = idle.into_iter().map(|glob| matches_nothing(glob.glob().glob(), &all)).collect();
-        Err(Report::new(Sources::default(), wrong))
+        let chosen = signals.iter().zip(&names).filter(|(_, name)| self.matches(name));
+        Ok(chosen.map(|(signal, _)| signal.clone()).collect())
     }
 }
 
@@ -89,10 +103,7 @@ mod tests {
     fn message(pattern: &str) -> String {
         let names = ["tap_23", "counter_14.count", "counter_14.cell.q"];
         let select = Select::new([pattern]).unwrap();
-        let all = signals(&names);
-        let chosen: Vec<_> = all.iter().filter(|signal| select.matches(&signal.name())).cloned().collect();
-        let all_names = || names.iter().map(|name| (*name).to_owned()).collect();
-        select.check(&chosen, all_names).map_or_else(|report| report.to_string(), |()| String::new())
+        select.of(&signals(&names)).map_or_else(|report| report.to_string(), |_| String::new())
     }
 
     #[test]

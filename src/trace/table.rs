@@ -2,79 +2,120 @@
 
 use std::fmt;
 
+use super::{Frame, Observer};
 use crate::base::word::decode;
 use crate::base::{Diagnostic, Report, Signal, Sources, ValueId};
 
 /// The most digits shown behind the point: as many as words of up to 9 fraction bits need to be exact.
 const MOST_DECIMALS: u32 = 9;
 
+/// The most rows that are kept to be shown.
+const MOST_ROWS: usize = 1 << 20;
+
+/// Which ticks of a run are rows, and which signals columns.
+#[derive(Clone, Debug)]
+pub struct Rows {
+    columns: Vec<String>,
+    when: Vec<String>,
+}
+
+impl Rows {
+    /// Rows of `columns`, names below the top module, at the ticks in which one of `when` is not 0, or all without any.
+    #[must_use]
+    pub fn new(columns: Vec<String>, when: Vec<String>) -> Self {
+        Self { columns, when }
+    }
+
+    fn names(&self) -> impl Iterator<Item = &String> {
+        self.columns.iter().chain(&self.when)
+    }
+
+    pub(super) fn wants(&self, name: &str) -> bool {
+        self.names().any(|known| known == name)
+    }
+
+    /// The signals of columns, and the values of all: columns, then those that make a row.
+    pub(super) fn find(&self, signals: &[Signal]) -> Result<(Vec<Signal>, Vec<ValueId>), Report> {
+        let names: Vec<_> = signals.iter().map(Signal::name).collect();
+        let (mut found, mut wrong) = (Vec::new(), Vec::new());
+        for name in self.names() {
+            match names.iter().position(|known| known == name) {
+                Some(at) => found.push(&signals[at]),
+                None => wrong.push(unknown(name, &names)),
+            }
+        }
+        if !wrong.is_empty() {
+            return Err(Report::new(Sources::default(), wrong));
+        }
+        let values = found.iter().map(|signal| signal.value).collect();
+        Ok((found.into_iter().take(self.columns.len()).cloned().collect(), values))
+    }
+
+    /// The words of the columns, if the tick is a row.
+    pub(super) fn row<'f>(&self, frame: Frame<'f>) -> Option<&'f [u64]> {
+        let (columns, when) = frame.words.split_at(self.columns.len());
+        (when.is_empty() || when.iter().any(|&word| word != 0)).then_some(columns)
+    }
+}
+
 /// A table that is filled tick by tick and shown with aligned columns.
 ///
 /// One-bit nets are shown as `1` and `.`, words as decimal numbers, fixed-point words with their fraction.
-///
-/// ```
-/// use stepwright::base::{Signal, ValueId};
-/// use stepwright::trace::Table;
-///
-/// let signal = |net: &str, width, fraction, value| Signal {
-///     path: vec!["top".to_owned(), net.to_owned()], width, signed: fraction > 0, fraction: Some(fraction),
-///     value: ValueId::new(value),
-/// };
-/// let signals = [signal("f", 16, 3, 0), signal("step", 1, 0, 1)];
-/// let mut table = Table::new(&signals, &["f".to_owned(), "step".to_owned()], &["step".to_owned()])?;
-/// for (tick, words) in [[0u64, 1], [7, 0], [0xFFEB, 1]].iter().enumerate() {
-///     table.sample(tick as u64, |id| words[id.index()]);
-/// }
-/// assert_eq!(table.to_string(), "\
-/// tick       f  step
-///    0   0.000     1
-///    2  -2.625     1
-/// ");
-/// # Ok::<(), stepwright::base::Report>(())
-/// ```
 #[derive(Clone, Debug)]
 pub struct Table {
+    what: Rows,
     columns: Vec<Signal>,
-    when: Vec<(String, ValueId)>,
     rows: Vec<(u64, Vec<u64>)>,
 }
 
 impl Table {
-    /// A table of `columns`, names below the top module, sampled at the ticks at which one of `when` is
-    /// not 0, or at all.
-    ///
-    /// # Errors
-    /// `W003` for each name that no signal has, with the nearest one.
-    pub fn new(signals: &[Signal], columns: &[String], when: &[String]) -> Result<Self, Report> {
-        let mut wrong = Vec::new();
-        let names: Vec<_> = signals.iter().map(Signal::name).collect();
-        let mut find = |name: &str| {
-            let at = names.iter().position(|known| known == name);
-            if at.is_none() {
-                wrong.push(unknown(name, &names));
-            }
-            at.map(|at| signals[at].clone())
-        };
-        let columns = columns.iter().filter_map(|name| find(name)).collect();
-        let when = when.iter().filter_map(|name| Some((name.clone(), find(name)?.value))).collect();
-        if wrong.is_empty() {
-            Ok(Self { columns, when, rows: Vec::new() })
-        } else {
-            Err(Report::new(Sources::default(), wrong))
-        }
-    }
-
-    /// Takes a row if this tick is one of the table's.
-    pub fn sample(&mut self, tick: u64, read: impl Fn(ValueId) -> u64) {
-        if self.when.is_empty() || self.when.iter().any(|(_, value)| read(*value) != 0) {
-            self.rows.push((tick, self.columns.iter().map(|column| read(column.value)).collect()));
-        }
-    }
-
-    /// How many rows there are.
+    /// A table of those rows.
     #[must_use]
-    pub fn rows(&self) -> usize {
-        self.rows.len()
+    pub fn new(what: Rows) -> Self {
+        Self { what, columns: Vec::new(), rows: Vec::new() }
+    }
+
+    /// The headings: `tick`, then the names of the columns.
+    #[must_use]
+    pub fn headings(&self) -> Vec<String> {
+        std::iter::once("tick".to_owned()).chain(self.what.columns.iter().cloned()).collect()
+    }
+
+    /// The rows: the tick, and each column's number; that of a fixed-point column in units of its last bit.
+    pub fn rows(&self) -> impl Iterator<Item = (u64, Vec<i128>)> + '_ {
+        self.rows.iter().map(|(tick, words)| {
+            let numbers =
+                words.iter().zip(&self.columns).map(|(&word, column)| decode(word, column.width, column.signed));
+            (*tick, numbers.collect())
+        })
+    }
+}
+
+impl Observer for Table {
+    fn wants(&self, name: &str) -> bool {
+        self.what.wants(name)
+    }
+
+    fn begin(&mut self, signals: &[Signal]) -> Result<Vec<ValueId>, Report> {
+        let (columns, values) = self.what.find(signals)?;
+        self.columns = columns;
+        Ok(values)
+    }
+
+    /// # Errors
+    /// `W006` too many rows.
+    fn tick(&mut self, frame: Frame<'_>) -> Result<(), Report> {
+        let Some(words) = self.what.row(frame) else { return Ok(()) };
+        if self.rows.len() == MOST_ROWS {
+            let diagnostic = Diagnostic::new("W006", format!("the table has more than {MOST_ROWS} rows"));
+            return Err(diagnostic.help("write it with --csv FILE, or choose its rows with --when NET").into());
+        }
+        self.rows.push((frame.tick, words.to_vec()));
+        Ok(())
+    }
+
+    fn end(&mut self) -> Result<(), Report> {
+        Ok(())
     }
 }
 
@@ -83,7 +124,7 @@ fn unknown(name: &str, names: &[String]) -> Diagnostic {
         .nearest(name, names.iter().map(String::as_str))
 }
 
-fn cell(word: u64, signal: &Signal) -> String {
+pub(super) fn cell(word: u64, signal: &Signal) -> String {
     match (signal.width, signal.fraction) {
         (1, None | Some(0)) => (if word == 0 { "." } else { "1" }).to_owned(),
         (_, fraction) => fixed_point(decode(word, signal.width, signal.signed), fraction.unwrap_or(0)),
@@ -107,20 +148,19 @@ fn fixed_point(number: i128, fraction: u32) -> String {
 impl fmt::Display for Table {
     /// A heading and a line for each row; without rows the heading and a line that says so.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let headings = std::iter::once("tick".to_owned()).chain(self.columns.iter().map(Signal::name)).collect();
-        let mut lines: Vec<Vec<String>> = vec![headings];
+        let mut lines: Vec<Vec<String>> = vec![self.headings()];
         lines.extend(self.rows.iter().map(|(tick, words)| {
             let cells = words.iter().zip(&self.columns).map(|(&word, signal)| cell(word, signal));
             std::iter::once(tick.to_string()).chain(cells).collect()
         }));
         let widths: Vec<_> =
-            (0..=self.columns.len()).map(|i| lines.iter().map(|line| line[i].chars().count()).max()).collect();
+            (0..lines[0].len()).map(|i| lines.iter().map(|line| line[i].chars().count()).max()).collect();
         for line in &lines {
             let cells = line.iter().zip(&widths).map(|(text, width)| format!("{text:>0$}", width.unwrap_or(0)));
             writeln!(f, "{}", cells.collect::<Vec<_>>().join("  "))?;
         }
-        if self.rows.is_empty() && !self.when.is_empty() {
-            let names: Vec<_> = self.when.iter().map(|(name, _)| format!("`{name}`")).collect();
+        if self.rows.is_empty() && !self.what.when.is_empty() {
+            let names: Vec<_> = self.what.when.iter().map(|name| format!("`{name}`")).collect();
             writeln!(f, "(no row: {} was never high)", names.join(" or "))?;
         }
         Ok(())
@@ -161,29 +201,42 @@ mod tests {
         }
     }
 
+    fn table(signals: &[Signal], columns: &[&str], when: &[&str], words: &[(u64, &[u64])]) -> Result<String, Report> {
+        let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+        let mut table = Table::new(Rows::new(names(columns), names(when)));
+        table.begin(signals)?;
+        for (tick, words) in words {
+            table.tick(Frame { tick: *tick, words, before: None })?;
+        }
+        Ok(table.to_string())
+    }
+
     #[test]
     fn unknown_names_are_told_together_with_the_nearest() {
         let signals = [signal("busy", 1, false, None)];
-        let report = Table::new(&signals, &["bussy".to_owned(), "zzz".to_owned()], &["bsy".to_owned()]).unwrap_err();
+        let report = table(&signals, &["bussy", "zzz"], &["bsy"], &[]).unwrap_err();
         assert_eq!(report.diagnostics.iter().map(|wrong| wrong.code).collect::<Vec<_>>(), ["W003"; 3]);
         assert!(report.to_string().contains("did you mean `busy`?"), "{report}");
     }
 
     #[test]
     fn a_table_without_rows_says_why() {
-        let mut table =
-            Table::new(&[signal("busy", 1, false, None)], &["busy".to_owned()], &["busy".to_owned()]).unwrap();
-        table.sample(0, |_| 0);
-        assert_eq!(table.to_string(), "tick  busy\n(no row: `busy` was never high)\n");
+        let text = table(&[signal("busy", 1, false, None)], &["busy"], &["busy"], &[(0, &[0, 0])]).unwrap();
+        assert_eq!(text, "tick  busy\n(no row: `busy` was never high)\n");
     }
 
     #[test]
     fn pulses_are_points_and_ones_and_columns_align_right() {
         let signals = [signal("busy", 1, false, None), signal("n", 8, true, None)];
-        let mut table = Table::new(&signals, &["busy".to_owned(), "n".to_owned()], &[]).unwrap();
-        for (tick, word) in [(9, 0), (10, 0xFF)] {
-            table.sample(tick, |_| word);
-        }
-        assert_eq!(table.to_string(), "tick  busy   n\n   9     .   0\n  10     1  -1\n");
+        let text = table(&signals, &["busy", "n"], &[], &[(9, &[0, 0]), (10, &[1, 0xFF])]).unwrap();
+        assert_eq!(text, "tick  busy   n\n   9     .   0\n  10     1  -1\n");
+    }
+
+    #[test]
+    fn only_ticks_in_which_a_chosen_net_is_high_are_rows() {
+        let signals = [signal("f", 16, true, Some(3)), signal("step", 1, false, None)];
+        let rows: [(u64, &[u64]); 3] = [(0, &[0, 1, 1]), (1, &[7, 0, 0]), (2, &[0xFFEB, 1, 1])];
+        let text = table(&signals, &["f", "step"], &["step"], &rows).unwrap();
+        assert_eq!(text, "tick       f  step\n   0   0.000     1\n   2  -2.625     1\n");
     }
 }

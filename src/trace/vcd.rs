@@ -12,7 +12,13 @@ use std::io::{self, Write};
 use ::vcd::{IdCode, ReferenceIndex, TimescaleUnit, VarType, Writer};
 
 use super::ascii::{put_bits, put_decimal};
-use super::{Change, Item, Plan, Slot, SlotId};
+use super::writer::WaveWriter;
+use super::{Change, Format, Item, Plan, Slot, SlotId};
+use crate::files::Out;
+
+/// VCD.
+pub(super) static FORMAT: Format =
+    Format { ending: "vcd", begin: |out, plan| Ok(Box::new(VcdWriter::new(out, plan)?)) };
 
 /// Bytes gathered before they are written.
 const BUFFER: usize = 1 << 18;
@@ -161,6 +167,16 @@ impl<W: Write> VcdWriter<W> {
         self.out.write_all(&self.buffer[..self.filled])?;
         self.filled = 0;
         Ok(())
+    }
+}
+
+impl<'o> WaveWriter<'o> for VcdWriter<Box<dyn Out + 'o>> {
+    fn tick(&mut self, tick: u64, changes: &[Change]) -> io::Result<()> {
+        self.tick(tick, changes)
+    }
+
+    fn finish(self: Box<Self>) -> io::Result<Box<dyn Out + 'o>> {
+        (*self).finish()
     }
 }
 

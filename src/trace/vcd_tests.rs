@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::base::word::mask;
 use crate::base::{Signal, ValueId};
-use crate::trace::{Sampler, Window};
+use crate::trace::{Frame, Sampler, Window};
 
 fn signals(widths: &[u32]) -> Vec<Signal> {
     let signal = |(i, &width): (usize, &u32)| Signal {
@@ -23,8 +23,11 @@ fn ours(signals: &[Signal], history: &[(u64, Vec<u64>)]) -> Vec<u8> {
     let plan = Plan::new(signals);
     let mut sampler = Sampler::new(&plan, Window::ALL);
     let mut writer = VcdWriter::new(Vec::new(), &plan).unwrap();
+    let mut before = None;
     for (tick, words) in history {
-        writer.tick(*tick, sampler.sample(*tick, |id| words[id.index()]).unwrap()).unwrap();
+        let frame = Frame { tick: *tick, words, before };
+        writer.tick(*tick, sampler.sample(frame).unwrap()).unwrap();
+        before = Some(words.as_slice());
     }
     writer.finish().unwrap()
 }

@@ -1,13 +1,9 @@
 //! A converter circuit on an engine: data in, a pulse on `start`, coefficients out.
 
 use std::path::Path;
-use std::sync::Arc;
 
-use stepwright::base::word::{decode, encode};
-use stepwright::compile::{Observe, Program, Until, compile};
-use stepwright::engine::{Engine, EngineKind};
-use stepwright::netlist::load;
-use stepwright::simulation::shipped::Shelf;
+use stepwright::simulation::{Circuit, Net, Run};
+use stepwright::trace::Select;
 
 use super::Data;
 
@@ -16,8 +12,8 @@ const LIMIT: u64 = 20_000;
 
 /// A converter that is ready for the next data.
 pub struct Converter {
-    program: Arc<Program>,
-    engine: Box<dyn Engine>,
+    run: Run<'static>,
+    done: Net,
 }
 
 impl Converter {
@@ -28,25 +24,20 @@ impl Converter {
 
     /// The circuit in a file of this repository.
     pub fn from_file(path: &str) -> Self {
-        let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a circuit file");
-        let netlist = load(path, &text, None, &Shelf { near: path }, &[]).unwrap_or_else(|report| panic!("{report}"));
-        let until = netlist.top_net("done").map(|net| Until { net, high: true });
-        let program = Arc::new(compile(&netlist, &Observe { until, ..Observe::OUTPUTS }));
-        let engine = EngineKind::Auto.build(Arc::clone(&program), u64::MAX).expect("an engine");
-        Self { program, engine }
+        let circuit = Circuit::open(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a circuit file");
+        let outputs = Select::new::<&str>([]).expect("no globs");
+        let run = circuit.session().observe(outputs).start().unwrap_or_else(|report| panic!("{report}"));
+        Self { done: run.net("done").expect("an output"), run }
     }
 
-    /// The word at an output.
+    /// The number at an output.
     pub fn output(&self, name: &str) -> i64 {
-        let port = self.program.outputs.iter().find(|port| port.name == name).expect("an output");
-        decode(self.engine.value(port.value), port.width, port.signed) as i64
+        self.run.read(self.run.net(name).expect("an output")) as i64
     }
 
     fn set(&mut self, name: &str, value: i64) {
-        let input = self.program.inputs.iter().position(|port| port.name == name).expect("an input");
-        let port = &self.program.inputs[input];
-        let word = encode(value.into(), port.width, port.signed).unwrap_or_else(|| panic!("{value} in {name}"));
-        self.engine.set_input(input, word);
+        let set = self.run.input(name).and_then(|input| self.run.set(input, value));
+        set.unwrap_or_else(|report| panic!("{value} in {name}: {report}"));
     }
 
     /// Converts; returns J, K, L, M, or `None` when `error` is raised, and how many ticks it took. What must hold
@@ -72,9 +63,13 @@ impl Converter {
     fn run(&mut self, data: &Data) -> u64 {
         data.words.iter().for_each(|(name, word)| self.set(name, *word));
         self.set("start", 1);
-        let first = self.engine.advance(1, false);
+        let start = self.run.tick();
+        self.run.step(1);
         self.set("start", 0);
-        let ticks = if self.output("done") == 1 { first } else { first + self.engine.advance(LIMIT, true) };
+        if self.run.word(self.done) == 0 {
+            self.run.until(self.done, LIMIT);
+        }
+        let ticks = self.run.tick() - start;
         assert_eq!(self.output("done"), 1, "done always comes: {data:?}");
         ticks
     }

@@ -8,7 +8,7 @@ use stepwright::compile::{Observe, compile};
 use stepwright::engine::{Engine, Interpreter};
 use stepwright::export;
 
-use super::duts::{Duts, Stimulus};
+use super::duts::{Duts, random_words};
 use super::mixture::MIXTURE;
 use super::random::Random;
 use super::tools;
@@ -42,9 +42,9 @@ fn corners(block: &Block, random: &mut Random) -> Vec<Parameters> {
 /// Runs `duts` here and there, and compares every output at every tick.
 fn judge(duts: &Duts) {
     let folder = tempfile::tempdir().expect("a folder");
-    let stimulus = Stimulus::new(TICKS);
+    let stimulus = random_words(TICKS);
     // Levels below the top would be ops by the thousand.
-    let bench = export::bench(&duts.netlist, stimulus.drive()).replace("$dumpvars(0,", "$dumpvars(1,");
+    let bench = export::bench(&duts.netlist, &stimulus, TICKS).replace("$dumpvars(0,", "$dumpvars(1,");
     for (name, text) in [("blocks.v", &export::verilog([&duts.netlist])), ("duts.v", &duts.text), ("bench.v", &bench)] {
         std::fs::write(folder.path().join(name), text).expect("a file");
     }
@@ -55,11 +55,12 @@ fn judge(duts: &Duts) {
     let theirs = program.outputs.iter().map(|port| wave.find(&format!("duts.{}", port.name)).expect("an output"));
     let theirs: Vec<_> = theirs.collect();
     let mut engine = Interpreter::new(Arc::clone(&program));
-    for (tick, words) in &stimulus.changes {
-        words.iter().for_each(|&(input, word)| engine.set_input(input, word));
+    for tick in 0..TICKS {
+        let due = stimulus.changes.iter().filter(|change| change.tick == tick);
+        due.for_each(|change| engine.set_input(change.input, change.word));
         engine.settle();
         for (output, port) in program.outputs.iter().enumerate() {
-            let (ours, theirs) = (engine.value(port.value), theirs[output].at(*tick));
+            let (ours, theirs) = (engine.value(port.value), theirs[output].at(tick));
             assert_eq!(Some(ours), theirs, "tick {tick}, {} (ours, then Icarus)", duts.describe(output));
         }
         engine.advance(1, false);

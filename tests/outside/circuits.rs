@@ -1,14 +1,10 @@
 //! Icarus and the interpreter agree on every net and every tick of every scenario.
 
-use std::sync::Arc;
-
 use rayon::prelude::*;
-use stepwright::compile::{Observe, Program, compile};
-use stepwright::engine::{Engine, Interpreter};
-use stepwright::export::{self, BenchInputs};
-use stepwright::netlist::{self, Netlist};
-use stepwright::simulation::{Stimulus, resolve, run, shipped};
-use stepwright::{base, scenario};
+use stepwright::base::{Report, Signal, ValueId};
+use stepwright::export;
+use stepwright::simulation::{Design, EngineKind, Session, shipped};
+use stepwright::trace::{Frame, Observer};
 
 use super::tools;
 use super::wave::{Variable, Wave};
@@ -28,65 +24,70 @@ fn icarus_agrees_on_every_net_and_tick_of_every_scenario() {
 
 /// Runs a scenario here and there.
 fn judge_scenario(name: &str) -> Result<(), String> {
-    let (netlist, stimulus) = load(name).map_err(|report| report.to_string())?;
-    judge(name, &netlist, &stimulus)
+    let design = Session::open(name).and_then(|session| session.engine(EngineKind::Interpreter).elaborate());
+    judge(name, &design.map_err(|report| report.to_string())?)
 }
 
-/// Runs a circuit here and there; an error tells the first net and tick on which they differ.
-pub fn judge(name: &str, netlist: &Netlist, stimulus: &Stimulus) -> Result<(), String> {
-    let program = Arc::new(compile(netlist, &observe(stimulus)));
-    let mut engine = Interpreter::new(Arc::clone(&program));
-    let ticks = run(&mut engine, &program, stimulus, None).ticks;
-    let wave = icarus(netlist, stimulus, ticks);
-
-    let theirs = variables(name, &program, &wave)?;
-    let mut difference = None;
-    let mut compare = |tick, engine: &dyn Engine| {
-        for (signal, theirs) in program.signals.iter().zip(&theirs) {
-            let (ours, theirs) = (engine.value(signal.value), theirs.at(tick));
-            if theirs != Some(ours) && difference.is_none() {
-                let net = signal.name();
-                difference = Some(format!("{name}, tick {tick}, {net}: {ours} here, {theirs:?} in Icarus"));
-            }
-        }
-    };
-    run(&mut Interpreter::new(Arc::clone(&program)), &program, stimulus, Some(&mut compare));
-    difference.map_or(Ok(()), Err)
+/// Runs a design here and there; an error tells the first net and tick on which they differ.
+pub fn judge(name: &str, design: &Design) -> Result<(), String> {
+    let mut run = design.start_with(Vec::new()).map_err(|report| report.to_string())?;
+    let ticks = run.finish().map_err(|report| report.to_string())?.ticks;
+    let wave = icarus(design, ticks);
+    let mut judge = Judge { wave: &wave, signals: Vec::new(), difference: None };
+    let mut run = design.start_with(vec![Box::new(&mut judge)]).map_err(|report| report.to_string())?;
+    run.finish().map_err(|report| report.to_string())?;
+    drop(run);
+    assert!(!judge.signals.is_empty(), "{name}: nothing to compare");
+    judge.difference.map_or(Ok(()), |difference| Err(format!("{name}, {difference}")))
 }
 
-fn load(name: &str) -> Result<(Netlist, Stimulus), base::Report> {
-    let file = |path: String| (shipped::text(&path).unwrap_or_else(|| panic!("no {path}")), path);
-    let (text, path) = file(format!("{name}.toml"));
-    let scenario = scenario::parse(&path, text)?;
-    let (text, path) = file(format!("{}.v", scenario.circuit));
-    let parameters: Vec<_> = scenario.parameters.iter().map(|p| (p.name.clone(), p.value)).collect();
-    let shelf = shipped::Shelf { near: &scenario.circuit };
-    let netlist = netlist::load(&path, text, None, &shelf, &parameters)?;
-    let stimulus =
-        resolve(&netlist, &scenario).map_err(|errors| base::Report::new(base::Sources::default(), errors))?;
-    Ok((netlist, stimulus))
-}
-
-fn observe(stimulus: &Stimulus) -> Observe<'static> {
-    Observe { until: stimulus.stop.until, ..Observe::EVERYTHING }
-}
-
-fn icarus(netlist: &Netlist, stimulus: &Stimulus, ticks: u64) -> Wave {
+fn icarus(design: &Design, ticks: u64) -> Wave {
     let folder = tempfile::tempdir().expect("a folder");
-    let inputs = BenchInputs { initial: &stimulus.initial, changes: &stimulus.changes, ticks };
-    for file in export::files(netlist, inputs) {
+    for file in export::files(design.netlist(), design.stimulus(), ticks) {
         std::fs::write(folder.path().join(&file.name), &file.text).expect("a file");
     }
-    tools::icarus(folder.path(), &export::bench_name(netlist));
+    tools::icarus(folder.path(), &export::bench_name(design.netlist()));
     Wave::of_bench(&folder.path().join("bench.vcd"))
 }
 
-/// Icarus' variable for each of our signals; none may be missing.
-fn variables<'w>(name: &str, program: &Program, wave: &'w Wave) -> Result<Vec<Variable<'w>>, String> {
-    assert!(!program.signals.is_empty(), "{name}: nothing to compare");
-    let find = |signal: &base::Signal| {
-        let path = signal.path.join(".");
-        wave.find(&path).ok_or_else(|| format!("{name}: Icarus shows no {path}"))
-    };
-    program.signals.iter().map(find).collect()
+/// Compares every signal at every tick with what Icarus wrote; none may be missing there.
+struct Judge<'w> {
+    wave: &'w Wave,
+    signals: Vec<(Signal, Variable<'w>)>,
+    difference: Option<String>,
+}
+
+impl Observer for Judge<'_> {
+    fn wants(&self, _: &str) -> bool {
+        true
+    }
+
+    fn begin(&mut self, signals: &[Signal]) -> Result<Vec<ValueId>, Report> {
+        for signal in signals {
+            match self.wave.find(&signal.path.join(".")) {
+                Some(theirs) => self.signals.push((signal.clone(), theirs)),
+                None => self.difference = Some(format!("Icarus shows no {}", signal.name())),
+            }
+        }
+        Ok(self.signals.iter().map(|(signal, _)| signal.value).collect())
+    }
+
+    fn tick(&mut self, frame: Frame<'_>) -> Result<(), Report> {
+        if self.difference.is_some() {
+            return Ok(());
+        }
+        for ((signal, theirs), &ours) in self.signals.iter().zip(frame.words) {
+            let theirs = theirs.at(frame.tick);
+            if theirs != Some(ours) {
+                let (tick, net) = (frame.tick, signal.name());
+                self.difference = Some(format!("tick {tick}, {net}: {ours} here, {theirs:?} in Icarus"));
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    fn end(&mut self) -> Result<(), Report> {
+        Ok(())
+    }
 }

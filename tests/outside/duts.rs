@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 use stepwright::base::word::mask;
-use stepwright::base::{SourceId, Sources, Span};
+use stepwright::base::{Change, SourceId, Sources, Span, Stimulus, StopRule};
 use stepwright::blocks::{Block, Body, Builder, Direction, Parameters};
-use stepwright::export::BenchInputs;
 use stepwright::netlist::{Cell, CellId, CellKind, Drive, Net, NetId, Netlist, Part, Scope, ScopeId, Source};
 
 use super::random::Random;
@@ -88,33 +87,21 @@ impl Duts {
     }
 }
 
-/// What is done to the random words.
-pub struct Stimulus {
-    /// New words of all inputs at every tick.
-    pub changes: Vec<(u64, Vec<(usize, u64)>)>,
-}
-
-impl Stimulus {
-    /// New random words at every tick: dense ones, sparse ones as pulses come, and small numbers of either sign.
-    pub fn new(ticks: u64) -> Self {
-        let mut random = Random(2);
-        let mut word = |input: usize| {
-            let dense = random.word();
-            match input % 4 {
-                0 => dense,
-                1 => dense & random.word(),
-                2 => dense & random.word() & random.word() & random.word(),
-                _ => ((dense as i64) >> random.below(64)) as u64,
-            }
-        };
-        let mut all_words = || (0..WORDS).map(|input| (input, word(input))).collect();
-        Self { changes: (0..ticks).map(|tick| (tick, all_words())).collect() }
-    }
-
-    /// The same for the bench.
-    pub fn drive(&self) -> BenchInputs<'_> {
-        BenchInputs { initial: &[0; WORDS], changes: &self.changes, ticks: self.changes.len() as u64 }
-    }
+/// New random words at every tick: dense ones, sparse ones as pulses come, and small numbers of either sign.
+pub fn random_words(ticks: u64) -> Stimulus {
+    let mut random = Random(2);
+    let mut word = |input: usize| {
+        let dense = random.word();
+        match input % 4 {
+            0 => dense,
+            1 => dense & random.word(),
+            2 => dense & random.word() & random.word() & random.word(),
+            _ => ((dense as i64) >> random.below(64)) as u64,
+        }
+    };
+    let each = (0..ticks).flat_map(|tick| (0..WORDS).map(move |input| (tick, input)));
+    let changes = each.map(|(tick, input)| Change { tick, input, word: word(input) }).collect();
+    Stimulus { initial: vec![0; WORDS], changes, stop: StopRule::Ticks(ticks) }
 }
 
 fn number(value: i64) -> String {

@@ -1,36 +1,28 @@
 //! Icarus and our reader agree on the language: loops, selects, nested modules, and what constant expressions come to.
 
-use std::sync::Arc;
-
 use stepwright::base::word::mask;
-use stepwright::netlist::{self, Library};
-use stepwright::simulation::{Stimulus, StopRule};
+use stepwright::base::{Change, Stimulus, StopRule};
+use stepwright::simulation::{Circuit, Session};
 
 use super::circuits::judge;
 use super::random::Random;
 use super::tools;
 
-struct Nowhere;
-
-impl Library for Nowhere {
-    fn find(&self, _: &str) -> Option<(String, Arc<str>)> {
-        None
-    }
+fn session(text: &str) -> Session {
+    Circuit::text("language.v", text).session()
 }
 
 /// Reads `text`, whose top module is `language`, and holds it against Icarus under random inputs.
 fn check(text: &str, parameters: &[(String, i64)]) {
-    let netlist = netlist::load("language.v", text, None, &Nowhere, parameters);
-    let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
+    let session = parameters.iter().fold(session(text), |session, (name, value)| session.parameter(name, *value));
+    let design = session.elaborate().unwrap_or_else(|report| panic!("{report}"));
     let mut random = Random(5);
-    let widths: Vec<_> = netlist.inputs.iter().map(|id| netlist.nets[id.index()].width).collect();
-    let mut words = || widths.iter().map(|width| random.word() & mask(*width)).enumerate().collect();
-    let stimulus = Stimulus {
-        initial: vec![0; widths.len()],
-        changes: (0..100).map(|tick| (tick, words())).collect(),
-        stop: StopRule { until: None, first_judged: 1, ticks: 100 },
-    };
-    judge("language", &netlist, &stimulus).unwrap_or_else(|difference| panic!("{difference}"));
+    let widths: Vec<_> = design.inputs().map(|port| port.width).collect();
+    let each = (0..100).flat_map(|tick| (0..widths.len()).map(move |input| (tick, input)));
+    let changes = each.map(|(tick, input)| Change { tick, input, word: random.word() & mask(widths[input]) });
+    let stimulus = Stimulus { initial: vec![0; widths.len()], changes: changes.collect(), stop: StopRule::Ticks(100) };
+    let design = design.with_stimulus(stimulus);
+    judge("language", &design).unwrap_or_else(|difference| panic!("{difference}"));
 }
 
 const STRUCTURE: &str = "
@@ -146,7 +138,7 @@ fn constant(i: usize, width: u32, expression: &str) -> String {
 
 /// Our reader refuses arithmetic that does not fit its bits, which Verilog would cut.
 fn is_taken(line: &str) -> bool {
-    netlist::load("language.v", &format!("{HEAD}{line}endmodule\n"), None, &Nowhere, &[]).is_ok()
+    session(&format!("{HEAD}{line}endmodule\n")).elaborate().is_ok()
 }
 
 #[test]

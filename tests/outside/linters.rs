@@ -4,9 +4,8 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use stepwright::blocks::{Block, Parameters, REGISTRY};
-use stepwright::export::{self, BenchInputs};
-use stepwright::netlist;
-use stepwright::simulation::shipped;
+use stepwright::export;
+use stepwright::simulation::{Circuit, shipped};
 
 use super::duts::Duts;
 use super::tools;
@@ -45,14 +44,12 @@ fn verilator_and_yosys_accept_every_circuit_without_a_warning() {
     let circuits: Vec<_> = shipped::names("v").collect();
     assert!(!circuits.is_empty());
     circuits.par_iter().for_each(|circuit| {
-        let path = format!("{circuit}.v");
-        let text = shipped::text(&path).expect("a shipped circuit");
-        let netlist = netlist::load(&path, text, None, &shipped::Shelf { near: circuit }, &[]);
-        let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
-        let files = export::files(&netlist, BenchInputs { initial: &[], changes: &[], ticks: 1 });
+        let session = Circuit::shipped(circuit).expect("a shipped circuit").session();
+        let design = session.elaborate().unwrap_or_else(|report| panic!("{report}"));
+        let files = export::files(design.netlist(), design.stimulus(), 1);
         let folder = tempfile::tempdir().expect("a folder");
         files.iter().for_each(|file| write(folder.path(), &file.name, &file.text));
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).filter(|name| *name != "bench.v").collect();
-        lint(folder.path(), &netlist.scopes[0].module, &names);
+        lint(folder.path(), &design.netlist().scopes[0].module, &names);
     });
 }

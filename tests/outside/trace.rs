@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use stepwright::base::word::mask;
 use stepwright::base::{Signal, ValueId};
-use stepwright::trace::{FstWriter, Plan, Sampler, VcdWriter, Window};
+use stepwright::trace::{FORMATS, Frame, Observer, Wave};
 
 use super::random::Random;
 
@@ -58,25 +58,27 @@ impl Trace {
 
     /// The trace as VCD.
     pub fn vcd(&self) -> Vec<u8> {
-        let plan = Plan::new(&self.signals);
-        let mut writer = VcdWriter::new(Vec::new(), &plan).expect("a header");
-        let mut sampler = Sampler::new(&plan, Window::ALL);
-        for (tick, words) in self.ticks() {
-            let changes = sampler.sample(tick, |id| words[id.index()]).expect("inside the window");
-            writer.tick(tick, changes).expect("a tick");
-        }
-        writer.finish().expect("an end")
+        self.written("vcd")
     }
 
     /// The trace as FST.
     pub fn fst(&self) -> Vec<u8> {
-        let plan = Plan::new(&self.signals);
-        let mut writer = FstWriter::new(Cursor::new(Vec::new()), &plan).expect("a header");
-        let mut sampler = Sampler::new(&plan, Window::ALL);
-        for (tick, words) in self.ticks() {
-            let changes = sampler.sample(tick, |id| words[id.index()]).expect("inside the window");
-            writer.tick(tick, changes).expect("a tick");
+        self.written("fst")
+    }
+
+    fn written(&self, ending: &str) -> Vec<u8> {
+        let format = FORMATS.iter().find(|format| format.ending == ending).expect("a format");
+        let mut file = Vec::new();
+        let mut wave = Wave::new(format, Box::new(Cursor::new(&mut file)));
+        let values = wave.begin(&self.signals).expect("a header");
+        let words: Vec<Vec<u64>> =
+            self.words.iter().map(|words| values.iter().map(|value| words[value.index()]).collect()).collect();
+        for (step, (tick, words_now)) in (self.first..).zip(&words).enumerate() {
+            let before = step.checked_sub(1).map(|before| words[before].as_slice());
+            wave.tick(Frame { tick, words: words_now, before }).expect("a tick");
         }
-        writer.finish().expect("an end").into_inner()
+        wave.end().expect("an end");
+        drop(wave);
+        file
     }
 }

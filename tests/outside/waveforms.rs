@@ -5,7 +5,7 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use stepwright::golden::{Signals, Waveform, compare, read};
-use stepwright::trace::{Plan, SaveFile};
+use stepwright::trace::{Plan, SaveText};
 
 use super::tools;
 use super::trace::Trace;
@@ -110,7 +110,7 @@ fn gtkwave_shows_every_row_of_a_save_file() {
     let curves: Vec<_> = trace.signals.iter().step_by(5).map(|signal| signal.name()).collect();
     let check = concat!(env!("CARGO_MANIFEST_DIR"), "/.ci/gtkwave_check");
     for (dump, bytes) in [("run.vcd", trace.vcd()), ("run.fst", trace.fst())] {
-        let save = SaveFile { plan: &plan, dump, curves: &curves }.to_string();
+        let save = SaveText { plan: &plan, dump, curves: &curves }.to_string();
         std::fs::write(folder.path().join(dump), bytes).expect("a file");
         std::fs::write(folder.path().join("run.gtkw"), save).expect("a file");
         let output = tools::run(folder.path(), "sh", &[check, dump, "run.gtkw"]);

@@ -1,7 +1,6 @@
 //! Figure 1, block by block: every numeral of the drawing is in the circuit.
 
-use stepwright::netlist;
-use stepwright::simulation::shipped::{self, Shelf};
+use super::machine::interpolator;
 
 /// What block 1, 2, 3 ... 22 is.
 const BLOCKS: [&str; 22] = [
@@ -31,9 +30,8 @@ const BLOCKS: [&str; 22] = [
 
 #[test]
 fn every_block_tap_input_and_output_of_figure_1_bears_its_numeral() {
-    let text = shipped::text("su1522157/interpolator.v").expect("the circuit");
-    let netlist = netlist::load("interpolator.v", text, None, &Shelf { near: "su1522157/" }, &[]);
-    let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
+    let design = interpolator(&[]).elaborate().unwrap_or_else(|report| panic!("{report}"));
+    let netlist = design.netlist();
     for (numeral, block) in (1..).zip(BLOCKS) {
         let ending = format!("_{numeral}");
         let cells: Vec<_> = netlist.cells.iter().filter(|cell| cell.name.ends_with(&ending)).collect();

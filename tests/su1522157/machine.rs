@@ -1,12 +1,7 @@
 //! The interpolator under test: frames in, steps out.
 
-use std::sync::Arc;
-
-use stepwright::base::{ValueId, word};
-use stepwright::compile::{Observe, Program, compile};
-use stepwright::engine::{Engine, EngineKind};
-use stepwright::netlist;
-use stepwright::simulation::shipped::{self, Shelf};
+use stepwright::simulation::{Circuit, Input, Net, Run, Session};
+use stepwright::trace::Select;
 
 /// What holds state between frames. All of it is 0 at rest.
 const STATE: [&str; 10] = [
@@ -35,80 +30,62 @@ pub enum Step {
 
 /// The circuit, standing at a tick.
 pub struct Machine {
-    program: Arc<Program>,
-    engine: Box<dyn Engine>,
-    busy: ValueId,
-    steps: [(ValueId, Step); 3],
-    state: Vec<ValueId>,
+    run: Run<'static>,
+    inputs: [Input; 4],
+    busy: Net,
+    steps: [(Net, Step); 3],
+    state: [Net; 10],
 }
 
-/// Compiles circuit text with sight of some signals.
-pub fn compiled(text: &str, parameters: &[(&str, i64)], signals: &dyn Fn(&str) -> bool) -> Arc<Program> {
-    let parameters: Vec<_> = parameters.iter().map(|&(name, value)| (name.to_owned(), value)).collect();
-    let netlist = netlist::load("test", text, None, &Shelf { near: "su1522157/" }, &parameters);
-    let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
-    Arc::new(compile(&netlist, &Observe { signals, until: None, pulses: false }))
+/// The circuit with some parameters.
+pub fn interpolator(parameters: &[(&str, i64)]) -> Session {
+    let session = Circuit::shipped("su1522157/interpolator").expect("the circuit").session();
+    parameters.iter().fold(session, |session, (name, value)| session.parameter(name, *value))
 }
 
 impl Machine {
     /// The interpolator at power-on.
     pub fn new(parameters: &[(&str, i64)]) -> Self {
-        let text = shipped::text("su1522157/interpolator.v").expect("the circuit");
-        let program = compiled(text, parameters, &|name| STATE.contains(&name) || NETS.contains(&name));
-        let output = |name: &str| program.outputs.iter().find(|port| port.name == name).expect("an output").value;
-        let state = STATE.iter().map(|name| {
-            program
-                .signals
-                .iter()
-                .find(|signal| signal.name() == *name)
-                .unwrap_or_else(|| panic!("no net {name}"))
-                .value
-        });
+        let seen = Select::new(STATE.iter().chain(&NETS)).expect("globs");
+        let run = interpolator(parameters).observe(seen).start().unwrap_or_else(|report| panic!("{report}"));
+        let net = |name: &str| run.net(name).expect("a net");
         Self {
-            engine: EngineKind::Auto.build(Arc::clone(&program), u64::MAX).expect("an engine"),
-            busy: output("busy"),
-            steps: [(output("step_x_36"), Step::X), (output("step_y_37"), Step::Y), (output("step_xy_38"), Step::Both)],
-            state: state.collect(),
-            program,
+            inputs: ["major_32", "minor_34", "x_is_major_35", "start_33"]
+                .map(|name| run.input(name).expect("an input")),
+            busy: net("busy"),
+            steps: [(net("step_x_36"), Step::X), (net("step_y_37"), Step::Y), (net("step_xy_38"), Step::Both)],
+            state: STATE.map(net),
+            run,
         }
     }
 
-    pub fn set(&mut self, input: &str, value: i64) {
-        let place = self.program.inputs.iter().position(|port| port.name == input).expect("an input");
-        self.engine.set_input(place, value as u64);
-        self.engine.settle();
-    }
-
     pub fn read(&self, name: &str) -> i64 {
-        let signal = self.program.signals.iter().find(|signal| signal.name() == name);
-        let signal = signal.unwrap_or_else(|| panic!("no net {name}"));
-        word::decode(self.engine.value(signal.value), signal.width, signal.signed) as i64
+        self.run.read(self.run.net(name).expect("a net")) as i64
     }
 
     pub fn busy(&self) -> bool {
-        self.engine.value(self.busy) != 0
+        self.run.word(self.busy) != 0
     }
 
     /// The step of this tick.
     pub fn step(&self) -> Option<Step> {
-        let mut high = self.steps.iter().filter(|(value, _)| self.engine.value(*value) != 0);
+        let mut high = self.steps.iter().filter(|(net, _)| self.run.word(*net) != 0);
         let step = high.next().map(|(_, step)| *step);
         assert!(high.next().is_none(), "two step outputs in one tick");
         step
     }
 
     pub fn tick(&mut self) {
-        self.engine.advance(1, false);
+        self.run.step(1);
     }
 
     /// Gives the start pulse and goes on to the next tick.
     pub fn start(&mut self, major: i64, minor: i64, x_is_major: bool) {
-        self.set("major_32", major);
-        self.set("minor_34", minor);
-        self.set("x_is_major_35", x_is_major.into());
-        self.set("start_33", 1);
+        for (input, value) in self.inputs.into_iter().zip([major, minor, x_is_major.into(), 1]) {
+            self.run.set(input, value).expect("a number that fits");
+        }
         self.tick();
-        self.set("start_33", 0);
+        self.run.set(self.inputs[3], 0).expect("a bit");
     }
 
     /// Runs a whole frame from rest to rest: its steps, and how many ticks `busy` was high.
@@ -122,7 +99,7 @@ impl Machine {
             ticks += 1;
             assert!(ticks < 200_000, "({major}, {minor}) never ends");
         }
-        let at_rest = self.state.iter().all(|&value| self.engine.value(value) == 0);
+        let at_rest = self.state.iter().all(|&net| self.run.word(net) == 0);
         assert!(at_rest && self.step().is_none(), "something is left over from ({major}, {minor})");
         (steps, ticks)
     }

@@ -1,10 +1,6 @@
 //! Multiplexer 21 from gates, as in figure 6, against table 2 and against the block.
 
-use std::sync::Arc;
-
-use stepwright::engine::{Engine, Interpreter};
-
-use super::machine::compiled;
+use stepwright::simulation::Circuit;
 
 /// The gates and the block side by side.
 const BOTH: &str = "
@@ -19,17 +15,16 @@ endmodule
 
 #[test]
 fn gates_and_block_follow_table_2_on_every_input() {
-    let program = compiled(BOTH, &[], &|_| false);
-    let mut engine = Interpreter::new(Arc::clone(&program));
-    for n in 0..1 << 10 {
+    let mut run = Circuit::text("circuits/su1522157/both.v", BOTH).session().start().expect("a circuit");
+    let inputs = ["a", "b", "x1", "x2"].map(|name| run.input(name).expect("an input"));
+    let outputs = ["gates", "block"].map(|name| run.net(name).expect("an output"));
+    for n in 0_i64..1 << 10 {
         let [a, b, x1, x2] = [n & 1, n >> 1 & 1, n >> 2 & 15, n >> 6];
-        for (place, word) in [a, b, x1, x2].into_iter().enumerate() {
-            engine.set_input(place, word);
+        for (input, word) in inputs.into_iter().zip([a, b, x1, x2]) {
+            run.set(input, word).expect("a word that fits");
         }
-        engine.settle();
         // Table 2; the patent leaves out the last row.
         let z = [0, x1, x2, x1 | x2][(a + 2 * b) as usize];
-        let outputs = program.outputs.iter().map(|port| engine.value(port.value));
-        assert_eq!(outputs.collect::<Vec<_>>(), [z, z], "a {a}, b {b}, x1 {x1}, x2 {x2}");
+        assert_eq!(outputs.map(|output| run.read(output) as i64), [z, z], "a {a}, b {b}, x1 {x1}, x2 {x2}");
     }
 }

@@ -1,6 +1,6 @@
 //! Bad input to FIG. 9: never a wrong curve without a sign.
 
-use super::machine::{Machine, SMALL, Stroke, draw, shipped_program};
+use super::machine::{Machine, SMALL, Stroke, draw, shipped_session};
 
 const CIRCUIT: &str = "us3809868/fig09_function_generator";
 
@@ -84,7 +84,7 @@ fn a_counter_carried_beyond_its_word_is_reported() {
 #[test]
 fn pulses_never_coincide_in_the_interleavers() {
     let nets = ["generator_16.coincident_290", "generator_16.coincident_292"];
-    let mut machine = Machine::new(&shipped_program(CIRCUIT, SMALL, &nets));
+    let mut machine = Machine::new(&shipped_session(CIRCUIT, SMALL, &nets));
     start(&mut machine, &Stroke::new([511; 4], 4));
     while machine.get("busy") == 1 {
         assert_eq!(nets.map(|net| machine.get(net)), [0, 0]);

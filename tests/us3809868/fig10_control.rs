@@ -157,7 +157,7 @@ fn claim_17_inhibits_the_clock_after_each_pulse() {
 fn hold_and_delay_work_tick_by_tick_as_in_the_reading() {
     let parameters = [("WIDTH", 10), ("ENTRIES", 32), ("ENTRY_WIDTH", 6), ("MODE", 1)];
     let nets = ["y_pulse", "delay_342.remaining", "generator_16.phase_a", "generator_16.phase_b"];
-    let mut machine = Machine::new(&super::machine::shipped_program(CIRCUIT, &parameters, &nets));
+    let mut machine = Machine::new(&super::machine::shipped_session(CIRCUIT, &parameters, &nets));
     machine.set(&[("delay", 9)]);
     machine.set(&COMPARED.inputs());
     machine.tick();

@@ -1,14 +1,7 @@
 //! A circuit under test, driven and read by the names of its ports and nets.
 
-use std::collections::HashMap;
-use std::sync::Arc;
-
-use stepwright::base::ValueId;
-use stepwright::base::word::{mask, signed};
-use stepwright::compile::{Observe, Program, compile};
-use stepwright::engine::{Engine, EngineKind};
-use stepwright::netlist::load;
-use stepwright::simulation::shipped::{self, Shelf};
+use stepwright::simulation::{Circuit, Net, Run, Session};
+use stepwright::trace::Select;
 
 /// Parameters of a circuit that differ from its defaults; of two values for one, the later counts.
 pub type Parameters<'a> = &'a [(&'a str, i64)];
@@ -16,72 +9,56 @@ pub type Parameters<'a> = &'a [(&'a str, i64)];
 /// The small test model: 9 bits, tables of 32 words of 5 bits, 1024 clocks a quarter.
 pub const SMALL: Parameters<'static> = &[("WIDTH", 9), ("ENTRIES", 32), ("ENTRY_WIDTH", 5)];
 
-/// The program of a text, with the nets that are to be read.
-pub fn program(name: &str, text: &str, parameters: Parameters, nets: &[&str]) -> Arc<Program> {
-    let last: HashMap<_, _> = parameters.iter().copied().collect();
-    let parameters: Vec<_> = last.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
-    let path = format!("{name}.v");
-    let netlist = load(&path, text, None, &Shelf { near: &path }, &parameters);
-    let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
-    let signals = |net: &str| nets.contains(&net);
-    Arc::new(compile(&netlist, &Observe { signals: &signals, until: None, pulses: false }))
+/// A circuit at hand as text, with the nets that are to be read.
+pub fn session(name: &str, text: &str, parameters: Parameters, nets: &[&str]) -> Session {
+    with(&Circuit::text(&format!("circuits/{name}.v"), text), parameters, nets)
 }
 
-/// The program of a shipped circuit.
-pub fn shipped_program(circuit: &str, parameters: Parameters, nets: &[&str]) -> Arc<Program> {
-    let text = shipped::text(&format!("{circuit}.v")).unwrap_or_else(|| panic!("no circuit {circuit}"));
-    program(circuit, text, parameters, nets)
+/// A shipped circuit, with the nets that are to be read.
+pub fn shipped_session(circuit: &str, parameters: Parameters, nets: &[&str]) -> Session {
+    with(&Circuit::shipped(circuit).unwrap_or_else(|report| panic!("{report}")), parameters, nets)
 }
 
-/// A program on an engine, at some tick.
-pub struct Machine {
-    engine: Box<dyn Engine>,
-    inputs: HashMap<String, (usize, u32)>,
-    values: HashMap<String, (ValueId, u32)>,
+fn with(circuit: &Circuit, parameters: Parameters, nets: &[&str]) -> Session {
+    let session = circuit.session().observe(Select::new(nets).expect("globs"));
+    parameters.iter().fold(session, |session, (name, value)| session.parameter(name, *value))
 }
+
+/// A circuit, standing at a tick, with its ports and nets by name.
+pub struct Machine(Run<'static>);
 
 impl Machine {
     /// At tick 0 with all inputs 0.
-    pub fn new(program: &Arc<Program>) -> Self {
-        let inputs = program.inputs.iter().enumerate().map(|(i, port)| (port.name.clone(), (i, port.width)));
-        let ports = program.outputs.iter().map(|port| (port.name.clone(), (port.value, port.width)));
-        let signals = program.signals.iter().map(|signal| (signal.name(), (signal.value, signal.width)));
-        Self {
-            engine: EngineKind::Auto.build(Arc::clone(program), 100_000).expect("an engine for every machine"),
-            inputs: inputs.collect(),
-            values: signals.chain(ports).collect(),
-        }
+    pub fn new(session: &Session) -> Self {
+        Self(session.clone().start().unwrap_or_else(|report| panic!("{report}")))
     }
 
     /// A shipped circuit with all its outputs.
     pub fn shipped(circuit: &str, parameters: Parameters) -> Self {
-        Self::new(&shipped_program(circuit, parameters, &[]))
+        Self::new(&shipped_session(circuit, parameters, &[]))
     }
 
     /// Sets inputs and settles.
     pub fn set(&mut self, inputs: &[(&str, i64)]) {
         for (name, value) in inputs {
-            let (input, width) = self.inputs[*name];
-            let word = *value as u64 & mask(width);
-            assert!(signed(word, width) == *value || word as i64 == *value, "{value} does not fit {name}");
-            self.engine.set_input(input, word);
+            let set = self.0.input(name).and_then(|input| self.0.set(input, *value));
+            set.unwrap_or_else(|report| panic!("{report}"));
         }
-        self.engine.settle();
     }
 
-    /// Where an output or a net is, to be read often.
-    pub fn find(&self, name: &str) -> (ValueId, u32) {
-        *self.values.get(name).unwrap_or_else(|| panic!("no output or net {name}"))
+    /// An output or a net, to be read often.
+    pub fn find(&self, name: &str) -> Net {
+        self.0.net(name).unwrap_or_else(|report| panic!("{report}"))
     }
 
-    /// The word at a place.
-    pub fn word(&self, (value, _): (ValueId, u32)) -> u64 {
-        self.engine.value(value)
+    /// The word on a net.
+    pub fn word(&self, net: Net) -> u64 {
+        self.0.word(net)
     }
 
-    /// The number at a place in two's complement.
-    pub fn number(&self, (value, width): (ValueId, u32)) -> i64 {
-        signed(self.engine.value(value), width)
+    /// The number on a net.
+    pub fn number(&self, net: Net) -> i64 {
+        self.0.read(net) as i64
     }
 
     /// The word of an output or net.
@@ -89,14 +66,14 @@ impl Machine {
         self.word(self.find(name))
     }
 
-    /// The number of an output or net in two's complement.
+    /// The number of an output or net.
     pub fn get_signed(&self, name: &str) -> i64 {
         self.number(self.find(name))
     }
 
     /// Ends the tick.
     pub fn tick(&mut self) {
-        self.engine.advance(1, false);
+        self.0.step(1);
     }
 }
 

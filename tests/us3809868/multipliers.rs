@@ -1,6 +1,6 @@
 //! SN7497 packages and the multipliers wired from them.
 
-use super::machine::{Machine, program, shipped_program};
+use super::machine::{Machine, session, shipped_session};
 use super::vectors::read;
 
 #[test]
@@ -9,12 +9,12 @@ fn the_package_passes_the_pattern_of_every_rate() {
         sn7497 u (.clk(clk), .clock_low(1'b1), .rising(1'b1), .clr(1'b0), .strb(1'b0), .enin(1'b0), .unity(1'b1),
           .rate(rate), .y(y), .z(), .enout());
       endmodule";
-    let program = program("t", text, &[], &[]);
+    let package = session("t", text, &[], &[]);
     let patterns = read("sn7497_patterns.json");
     let masks = patterns["masks"].as_object().expect("masks by rate");
     assert_eq!(masks.len(), 64);
     for (rate, pattern) in masks {
-        let mut machine = Machine::new(&program);
+        let mut machine = Machine::new(&package);
         machine.set(&[("rate", rate.parse().expect("a rate"))]);
         let mut passed = 0_u64;
         for state in 0..64 {
@@ -36,7 +36,7 @@ fn beside_the_block(circuit: &str, width: u32) -> Machine {
             .trailing(trailing), .rate(rate), .out(block_out), .overflow(block_overflow));
         endmodule"
     );
-    Machine::new(&program("us3809868/t", &text, &[], &[]))
+    Machine::new(&session("us3809868/t", &text, &[], &[]))
 }
 
 /// Runs a whole round with a pulse of one tick, and two more pulses; returns how many passed.
@@ -91,7 +91,7 @@ fn the_packages_stand_as_instances_in_the_circuits() {
     for (circuit, packages) in [("brm12", 2), ("brm18", 3)] {
         let names: Vec<_> = (1..=packages).map(|i| format!("package_{i}.state")).collect();
         let names: Vec<_> = names.iter().map(String::as_str).collect();
-        let program = shipped_program(&format!("us3809868/{circuit}"), &[], &names);
-        assert_eq!(program.signals.len(), packages);
+        let run = shipped_session(&format!("us3809868/{circuit}"), &[], &names).start().expect("the circuit");
+        assert_eq!(run.signals().len(), packages);
     }
 }

@@ -1,6 +1,6 @@
 //! The tables of FIG. 10 and the count-up table of FIG. 9.
 
-use super::machine::{Machine, program, shipped_program};
+use super::machine::{Machine, session, shipped_session};
 use super::vectors::{list, number, numbers, read};
 
 #[test]
@@ -20,7 +20,7 @@ fn tables_333_and_334_hold_the_words_of_the_reading() {
                      (.address(address), .word(word));
                  endmodule"
             );
-            let mut machine = Machine::new(&program("t", &text, &[], &[]));
+            let mut machine = Machine::new(&session("t", &text, &[], &[]));
             let words = (0..entries).map(|address| {
                 machine.set(&[("address", address)]);
                 machine.get("word") as i64
@@ -38,8 +38,8 @@ const DIRECTION_BLOCK: &str = "module t(input wire [1:0] quadrant, input wire ne
 
 #[test]
 fn block_and_gates_of_the_direction_control_follow_every_row_of_the_count_up_table() {
-    let block = program("t", DIRECTION_BLOCK, &[], &[]);
-    let gates = shipped_program("us3809868/direction_control_298", &[], &[]);
+    let block = session("t", DIRECTION_BLOCK, &[], &[]);
+    let gates = shipped_session("us3809868/direction_control_298", &[], &[]);
     let table = read("fig9_truth_table.json");
     let rows = list(&table["count_up"]["full"]);
     assert_eq!(rows.len(), 16);

@@ -3,22 +3,18 @@
 mod ranges;
 mod resume;
 mod rows;
-mod runner;
 mod stimuli;
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::args::Target;
-use super::prepare::{self, Prepared};
-use super::{Ending, files};
-use crate::base::{Diagnostic, Report};
-use crate::compile::{Observe, Program, compile};
+use super::{Ending, interrupt};
+use crate::base::{Diagnostic, Report, StoppedBy};
+use crate::simulation::Design;
 use ranges::Over;
 use rows::{Format, Rows};
 use stimuli::Stimuli;
@@ -53,32 +49,23 @@ pub struct SweepArguments {
     pub resume: bool,
 }
 
-/// Becomes true at Ctrl-C.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
-    let prepared = prepare::prepare(&arguments.target)?;
-    let program = Arc::new(compile_for_rows(&prepared));
+    let design = arguments.target.session()?.elaborate()?;
+    let mut batch = design.batch().cancelled_by(interrupt::flag());
+    if let Some(threads) = arguments.threads {
+        batch = batch.threads(threads.into());
+    }
     let stimuli = match &arguments.from {
-        Some(path) => Stimuli::from_csv(path, &prepared)?,
-        None => Stimuli::over(&arguments.over, &prepared)?,
+        Some(path) => Stimuli::from_csv(path, &design)?,
+        None => Stimuli::over(&arguments.over, &design)?,
     };
-    let rows = Rows::new(Format::of(arguments.out.as_deref()), &program, stimuli.varied());
+    let rows = Rows::new(Format::of(arguments.out.as_deref()), &batch, stimuli.varied());
     let (mut output, done_before) = resume::open(arguments, &rows, &stimuli)?;
-    // Without a handler Ctrl-C just ends the program, which leaves a file that can be resumed, too.
-    let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
     let bar = progress(stimuli.count(), done_before);
-    let job = runner::Job {
-        prepared: &prepared,
-        program: &program,
-        threads: arguments.threads.map(usize::from),
-        engine: arguments.target.engine,
-        cancel: &INTERRUPTED,
-    };
     let mut text = String::new();
     let mut at_limit = 0_u64;
-    let done = job.run(stimuli.feed(done_before)?, |row| {
-        at_limit += u64::from(row.stopped_by == crate::engine::StoppedBy::Limit);
+    let done = batch.run(stimuli.feed(done_before)?, |row| {
+        at_limit += u64::from(row.stopped_by == StoppedBy::Limit);
         text.clear();
         rows.write(row, &mut text);
         bar.inc(1);
@@ -98,11 +85,6 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
         return Ok(Ending::Different);
     }
     Ok(Ending::Done)
-}
-
-fn compile_for_rows(prepared: &Prepared) -> Program {
-    let until = prepared.stimulus.stop.until;
-    compile(&prepared.netlist, &Observe { until, pulses: true, ..Observe::OUTPUTS })
 }
 
 /// A bar on standard error when that is a terminal.
@@ -128,9 +110,8 @@ fn interrupted(rows: u64, count: u64, arguments: &SweepArguments) -> String {
 }
 
 /// A sweep over an input that the scenario changes by itself would show words that the circuit never had.
-fn untimed(prepared: &Prepared, input: usize, name: &str) -> Result<(), Diagnostic> {
-    let is_timed = prepared.stimulus.changes.iter().any(|(_, words)| words.iter().any(|(timed, _)| *timed == input));
-    if is_timed {
+fn untimed(design: &Design, input: usize, name: &str) -> Result<(), Diagnostic> {
+    if design.stimulus().changes.iter().any(|change| change.input == input) {
         let diagnostic = Diagnostic::new("C061", format!("the scenario changes the input `{name}` over time"));
         return Err(diagnostic.help("sweep over the inputs that it holds, or write a scenario that holds this one"));
     }

@@ -8,10 +8,11 @@ use std::io::{self, BufRead, BufReader, BufWriter, Seek, SeekFrom, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use super::SweepArguments;
 use super::rows::Rows;
 use super::stimuli::Stimuli;
-use super::{SweepArguments, files};
 use crate::base::{Diagnostic, Report};
+use crate::files;
 
 /// A file of rows, or standard output.
 pub struct Output {

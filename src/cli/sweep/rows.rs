@@ -5,8 +5,7 @@ use std::path::Path;
 
 use crate::base::Port;
 use crate::base::word::decode;
-use crate::compile::Program;
-use crate::engine::batch::Row;
+use crate::simulation::{Batch, Row};
 
 /// How rows are written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -43,7 +42,7 @@ impl Column {
     }
 }
 
-/// Writes rows of one program.
+/// Writes rows of one batch.
 #[derive(Clone, Debug)]
 pub struct Rows {
     format: Format,
@@ -55,14 +54,13 @@ pub struct Rows {
 
 impl Rows {
     /// Rows with the inputs that vary, all outputs, and the pulse counts.
-    pub fn new(format: Format, program: &Program, varied: &[usize]) -> Self {
-        let pulses = program.pulses.iter().map(|(output, _)| program.outputs[*output].name.clone());
+    pub fn new(format: Format, batch: &Batch<'_>, varied: &[usize]) -> Self {
         Self {
             format,
             varied: varied.to_vec(),
-            inputs: varied.iter().map(|&input| Column::of(&program.inputs[input])).collect(),
-            outputs: program.outputs.iter().map(Column::of).collect(),
-            pulses: pulses.collect(),
+            inputs: varied.iter().map(|&input| Column::of(&batch.inputs()[input])).collect(),
+            outputs: batch.outputs().iter().map(Column::of).collect(),
+            pulses: batch.counted().map(|port| port.name.clone()).collect(),
         }
     }
 

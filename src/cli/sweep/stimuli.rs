@@ -4,11 +4,12 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use super::ranges::Over;
-use super::{files, untimed};
+use super::untimed;
 use crate::base::{Diagnostic, Report, Sources};
-use crate::cli::prepare::Prepared;
+use crate::files;
 use crate::netlist::Net;
 use crate::scenario::Number;
+use crate::simulation::Design;
 
 /// How many errors of a CSV file are shown.
 const MOST_ERRORS: usize = 20;
@@ -68,13 +69,13 @@ impl Stimuli {
     /// # Errors
     /// `C061` a timed input, `C062` an input given twice, `C063` a value that does not fit, `C064` too many stimuli,
     /// `S010` unknown input.
-    pub fn over(over: &[Over], prepared: &Prepared) -> Result<Self, Report> {
+    pub fn over(over: &[Over], design: &Design) -> Result<Self, Report> {
         let mut wrong = Vec::new();
         let mut axes = Vec::new();
-        let varied = columns(over.iter().map(|over| over.name.as_str()), prepared, &mut wrong);
+        let varied = columns(over.iter().map(|over| over.name.as_str()), design, &mut wrong);
         for (over, &input) in over.iter().zip(&varied) {
             let Some(input) = input else { continue };
-            let port = Port::of(net(prepared, input));
+            let port = Port::of(net(design, input));
             let ends = over.spans.iter().flat_map(|span| [span.value(0), span.value(span.count() - 1)]);
             if let Some(error) = ends.filter_map(|end| port.encode(end).err()).next() {
                 wrong.push(Diagnostic::new("C063", format!("--over {}: {error}", over.name)));
@@ -86,7 +87,7 @@ impl Stimuli {
         match (axes, count) {
             (Some(axes), Some(count)) if wrong.is_empty() => {
                 let varied = varied.into_iter().flatten().collect();
-                Ok(Self { initial: prepared.stimulus.initial.clone(), varied, source: Source::Ranges(axes), count })
+                Ok(Self { initial: design.stimulus().initial.clone(), varied, source: Source::Ranges(axes), count })
             }
             _ => {
                 if wrong.is_empty() {
@@ -101,7 +102,7 @@ impl Stimuli {
     ///
     /// # Errors
     /// As [`Stimuli::over`], each with its line; `C065` what is no CSV.
-    pub fn from_csv(path: &Path, prepared: &Prepared) -> Result<Self, Report> {
+    pub fn from_csv(path: &Path, design: &Design) -> Result<Self, Report> {
         let mut reader = open(path)?;
         let header = reader.headers().map_err(|error| not_csv(path, &error))?.clone();
         let mut wrong = Vec::new();
@@ -109,11 +110,11 @@ impl Stimuli {
             wrong
                 .push(Diagnostic::new("C065", format!("{} is empty: its first line must name inputs", path.display())));
         }
-        let varied: Option<Vec<_>> = columns(header.iter(), prepared, &mut wrong).into_iter().collect();
+        let varied: Option<Vec<_>> = columns(header.iter(), design, &mut wrong).into_iter().collect();
         let Some(varied) = varied.filter(|_| wrong.is_empty()) else {
             return Err(Report::new(Sources::default(), wrong));
         };
-        let ports: Vec<_> = varied.iter().map(|&input| Port::of(net(prepared, input))).collect();
+        let ports: Vec<_> = varied.iter().map(|&input| Port::of(net(design, input))).collect();
         let mut record = csv::StringRecord::new();
         let mut count = 0;
         while wrong.len() < MOST_ERRORS && reader.read_record(&mut record).map_err(|error| not_csv(path, &error))? {
@@ -129,7 +130,7 @@ impl Stimuli {
             return Err(Report::new(Sources::default(), wrong));
         }
         let source = Source::Csv { path: path.to_owned(), ports };
-        Ok(Self { initial: prepared.stimulus.initial.clone(), varied, source, count })
+        Ok(Self { initial: design.stimulus().initial.clone(), varied, source, count })
     }
 
     /// How many there are.
@@ -194,30 +195,30 @@ impl Stimuli {
     }
 }
 
-fn net(prepared: &Prepared, input: usize) -> &Net {
-    &prepared.netlist.nets[prepared.netlist.inputs[input].index()]
+fn net(design: &Design, input: usize) -> &Net {
+    &design.netlist().nets[design.netlist().inputs[input].index()]
 }
 
 /// The inputs of the columns; what is wrong with one goes to `wrong`.
 fn columns<'a>(
     names: impl Iterator<Item = &'a str>,
-    prepared: &Prepared,
+    design: &Design,
     wrong: &mut Vec<Diagnostic>,
 ) -> Vec<Option<usize>> {
-    let known: Vec<_> = (0..prepared.netlist.inputs.len()).map(|input| net(prepared, input).name.as_str()).collect();
+    let known: Vec<_> = design.inputs().map(|port| port.name.as_str()).collect();
     let mut found: Vec<Option<usize>> = Vec::new();
     for name in names {
         let input = known.iter().position(|known| *known == name);
         match input {
             None => {
-                let message = format!("the circuit `{}` has no input `{name}`", prepared.circuit);
+                let message = format!("the circuit `{}` has no input `{name}`", design.circuit().name());
                 let diagnostic = Diagnostic::new("S010", message).nearest(name, known.iter().copied());
                 wrong.push(diagnostic.help(format!("its inputs are: {}", known.join(", "))));
             }
             Some(_) if found.contains(&input) => {
                 wrong.push(Diagnostic::new("C062", format!("the input `{name}` is given twice")));
             }
-            Some(input) => wrong.extend(untimed(prepared, input, name).err()),
+            Some(input) => wrong.extend(untimed(design, input, name).err()),
         }
         found.push(input);
     }

@@ -4,7 +4,9 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
-use super::{Done, Feed, Job, Row, Sink, StoppedBy, Watch};
+use super::job::Job;
+use super::{Done, Feed, Row, Sink, Watch};
+use crate::base::StoppedBy;
 
 /// A stimulus on its way to a lane.
 #[derive(Clone, Debug)]
@@ -57,6 +59,7 @@ struct Inner<F, S> {
     sink: S,
     /// Stimuli drawn so far.
     drawn: u64,
+    initial: Vec<u64>,
     done: Done,
     is_exhausted: bool,
     inputs: Vec<u64>,
@@ -71,9 +74,10 @@ impl<'a, F: Feed, S: Sink> Queue<'a, F, S> {
             feed,
             sink,
             drawn: 0,
+            initial: job.stimulus.initial.clone(),
             done: Done::default(),
             is_exhausted: false,
-            inputs: vec![0; window * job.inputs],
+            inputs: vec![0; window * job.stimulus.initial.len()],
             results: vec![0; window * job.result_words()],
             found: vec![None; window],
         };
@@ -82,7 +86,7 @@ impl<'a, F: Feed, S: Sink> Queue<'a, F, S> {
             changed: Condvar::new(),
             is_broken_off: AtomicBool::new(false),
             watch: watch.map(|watch| (watch.index, Mutex::new(watch))),
-            input_words: job.inputs,
+            input_words: job.stimulus.initial.len(),
             output_words: job.outputs.len(),
             result_words: job.result_words(),
         }
@@ -141,8 +145,9 @@ impl<'a, F: Feed, S: Sink> Queue<'a, F, S> {
         let mut stimuli = Stimuli { first: inner.drawn, words: Vec::new(), count: 0 };
         while stimuli.count < count && inner.drawn < inner.done.rows + window && !inner.is_exhausted {
             let start = (inner.drawn % window) as usize * self.input_words;
+            let inner = &mut *inner;
             let words = &mut inner.inputs[start..start + self.input_words];
-            words.fill(0);
+            words.copy_from_slice(&inner.initial);
             if (inner.feed)(words) {
                 stimuli.words.extend_from_slice(words);
                 stimuli.count += 1;

@@ -7,7 +7,9 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::base::word::mask;
-use crate::base::{Graph, Register, RegisterId, ValueId};
+use crate::base::{Change, Graph, Op, Register, RegisterId, Stimulus, StopRule, StoppedBy, ValueId};
+use crate::compile::Program;
+use crate::engine::lanes::Path;
 use crate::engine::lanes::tests::{graph, program};
 use crate::engine::{Engine, Interpreter};
 
@@ -25,21 +27,21 @@ struct Kept {
 fn run_plainly(
     engine: &mut Interpreter,
     program: &Program,
-    plan: &Plan,
+    stimulus: &Stimulus,
     inputs: &[u64],
     mut at_tick: impl FnMut(&Interpreter),
 ) -> (u64, StoppedBy) {
     inputs.iter().enumerate().for_each(|(input, &word)| engine.set_input(input, word));
-    let (most, otherwise) = match plan.end {
-        End::Ticks(ticks) => (ticks, StoppedBy::Ticks),
-        End::Until { limit } => (limit, StoppedBy::Limit),
+    let (most, otherwise) = match stimulus.stop {
+        StopRule::Ticks(ticks) => (ticks, StoppedBy::Ticks),
+        StopRule::Until { limit } => (limit, StoppedBy::Limit),
     };
-    let last_change = plan.changes.iter().map(|change| change.tick).max().unwrap_or(0);
+    let last_change = stimulus.changes.iter().map(|change| change.tick).max().unwrap_or(0);
     for tick in 0..most {
         if tick > 0 {
             engine.advance(1, false);
         }
-        for change in plan.changes.iter().filter(|change| change.tick == tick) {
+        for change in stimulus.changes.iter().filter(|change| change.tick == tick) {
             engine.set_input(change.input, change.word);
         }
         engine.settle();
@@ -52,18 +54,18 @@ fn run_plainly(
     (most, otherwise)
 }
 
-fn plain_row(program: &Arc<Program>, plan: &Plan, inputs: &[u64]) -> (Kept, Vec<Vec<u64>>) {
+fn plain_row(program: &Arc<Program>, stimulus: &Stimulus, inputs: &[u64]) -> (Kept, Vec<Vec<u64>>) {
     let mut engine = Interpreter::new(Arc::clone(program));
     let mut waveform = Vec::new();
-    let (ticks, stopped_by) = run_plainly(&mut engine, program, plan, inputs, |engine| {
+    let (ticks, stopped_by) = run_plainly(&mut engine, program, stimulus, inputs, |engine| {
         waveform.push(program.signals.iter().map(|signal| engine.value(signal.value)).collect());
     });
     let outputs = program.outputs.iter().map(|port| engine.value(port.value)).collect();
-    let pulses = program.pulses.iter().map(|(_, id)| engine.value(*id)).collect();
+    let pulses = engine.pulses().iter().map(|pulses| pulses.rising).collect();
     (Kept { inputs: inputs.to_vec(), ticks, stopped_by, outputs, pulses }, waveform)
 }
 
-fn batch_rows(program: &Program, plan: &Plan, stimuli: &[Vec<u64>], options: Options<'_>) -> Vec<Kept> {
+fn batch_rows(program: &Program, stimulus: &Stimulus, stimuli: &[Vec<u64>], options: Options<'_>) -> Vec<Kept> {
     let mut all = stimuli.iter();
     let feed = |words: &mut [u64]| all.next().map(|stimulus| words.copy_from_slice(stimulus)).is_some();
     let mut rows = Vec::new();
@@ -73,18 +75,9 @@ fn batch_rows(program: &Program, plan: &Plan, stimuli: &[Vec<u64>], options: Opt
         rows.push(Kept { inputs: row.inputs.to_vec(), ticks: row.ticks, stopped_by: row.stopped_by, outputs, pulses });
         ControlFlow::Continue(())
     };
-    let done = run_batch(program, plan, feed, sink, options).expect("threads start");
+    let done = run_batch(program, stimulus, feed, sink, options).expect("threads start");
     assert_eq!((done.rows, done.complete), (stimuli.len() as u64, true));
     rows
-}
-
-/// Adds a counter of the ticks at which the one-bit `value` is 1, as the compile pipeline does.
-fn count_pulses(graph: &mut Graph, value: ValueId) -> ValueId {
-    let count = graph.push(Op::Register(RegisterId::new(graph.registers.len())), 64);
-    let step = graph.push(Op::ZeroExtend(value), 64);
-    let next = graph.push(Op::Add(count, step), 64);
-    graph.registers.push(Register { width: 64, init: 0, next, enable: None, clear: None });
-    next
 }
 
 /// Counts down from its input and stops at 0: runs of every length. Its pulse output is high at every odd count.
@@ -99,18 +92,17 @@ fn countdown() -> Arc<Program> {
     graph.registers.push(Register { width: 12, init: 0, next, enable: None, clear: None });
     let busy = graph.push(Op::ReduceOr(count), 1);
     let stop = graph.push(Op::Not(busy), 1);
-    let odd = graph.push(Op::Slice(count, 0), 1);
-    let pulses = count_pulses(&mut graph, odd);
+    graph.push(Op::Slice(count, 0), 1);
     let mut program = program(graph, Some(stop));
-    let place = |name: &str| program.signals.iter().find(|signal| signal.path[1] == name).map(|signal| signal.value);
-    let counted = place(&format!("n{}", pulses.index())).expect("every node is a signal");
-    program.pulses = vec![(0, counted)];
+    // The last node is the output: high at every odd count.
+    program.pulses = vec![0];
     Arc::new(program)
 }
 
-fn start_pulse(limit: u64) -> Plan {
-    let change = |tick, word| InputChange { tick, input: 1, word };
-    Plan { changes: vec![change(0, 1), change(1, 0)], end: End::Until { limit } }
+fn start_pulse(limit: u64) -> Stimulus {
+    let change = |tick, word| Change { tick, input: 1, word };
+    let changes = vec![change(0, 1), change(1, 0)];
+    Stimulus { initial: vec![0; 2], changes, stop: StopRule::Until { limit } }
 }
 
 fn uneven(count: u64) -> Vec<Vec<u64>> {
@@ -121,12 +113,12 @@ fn uneven(count: u64) -> Vec<Vec<u64>> {
 
 #[test]
 fn runs_of_uneven_length_come_back_in_order_whatever_the_threads_and_the_path() {
-    let (program, plan, stimuli) = (countdown(), start_pulse(3000), uneven(5000));
+    let (program, stimulus, stimuli) = (countdown(), start_pulse(3000), uneven(5000));
     // A count of n is loaded at the end of tick 0, is n in tick 1 and 0 in tick n + 1, the last of n + 2 ticks.
     let expected = |stimulus: &Vec<u64>| (stimulus[0] + 2).min(3000);
     for path in Path::all() {
         for threads in [1, 2, 3] {
-            let rows = batch_rows(&program, &plan, &stimuli, Options { threads, path, ..Options::default() });
+            let rows = batch_rows(&program, &stimulus, &stimuli, Options { threads, path, ..Options::default() });
             for (row, stimulus) in rows.iter().zip(&stimuli) {
                 let by = if stimulus[0] + 2 <= 3000 { StoppedBy::Until } else { StoppedBy::Limit };
                 assert_eq!((&row.inputs, row.ticks, row.stopped_by), (stimulus, expected(stimulus), by));
@@ -138,10 +130,12 @@ fn runs_of_uneven_length_come_back_in_order_whatever_the_threads_and_the_path() 
 #[test]
 fn every_row_equals_the_plain_run_of_its_stimulus() {
     let (program, stimuli) = (countdown(), uneven(600));
-    for plan in [start_pulse(100), start_pulse(2), start_pulse(1), Plan { end: End::Ticks(37), ..start_pulse(1) }] {
-        let plain: Vec<_> = stimuli.iter().map(|words| plain_row(&program, &plan, words).0).collect();
+    for stimulus in
+        [start_pulse(100), start_pulse(2), start_pulse(1), Stimulus { stop: StopRule::Ticks(37), ..start_pulse(1) }]
+    {
+        let plain: Vec<_> = stimuli.iter().map(|words| plain_row(&program, &stimulus, words).0).collect();
         for path in Path::all() {
-            let rows = batch_rows(&program, &plan, &stimuli, Options { threads: 1, path, ..Options::default() });
+            let rows = batch_rows(&program, &stimulus, &stimuli, Options { threads: 1, path, ..Options::default() });
             assert_eq!(rows, plain, "{path:?}");
         }
     }
@@ -149,7 +143,7 @@ fn every_row_equals_the_plain_run_of_its_stimulus() {
 
 #[test]
 fn the_waveform_of_a_watched_stimulus_is_that_of_a_single_run() {
-    let (program, plan, stimuli) = (countdown(), start_pulse(3000), uneven(2000));
+    let (program, stimulus, stimuli) = (countdown(), start_pulse(3000), uneven(2000));
     for index in [0, 7, 1999] {
         let mut waveform = Vec::new();
         let mut sample = |tick: u64, words: &[u64]| {
@@ -157,14 +151,14 @@ fn the_waveform_of_a_watched_stimulus_is_that_of_a_single_run() {
             waveform.push(words.to_vec());
         };
         let watch = Some(Watch { index, sample: &mut sample });
-        batch_rows(&program, &plan, &stimuli, Options { watch, ..Options::default() });
-        assert_eq!(waveform, plain_row(&program, &plan, &stimuli[index as usize]).1);
+        batch_rows(&program, &stimulus, &stimuli, Options { watch, ..Options::default() });
+        assert_eq!(waveform, plain_row(&program, &stimulus, &stimuli[index as usize]).1);
     }
 }
 
 #[test]
 fn a_sink_that_breaks_off_gets_no_further_row() {
-    let (program, plan, stimuli) = (countdown(), start_pulse(3000), uneven(5000));
+    let (program, stimulus, stimuli) = (countdown(), start_pulse(3000), uneven(5000));
     let mut all = stimuli.iter();
     let feed = |words: &mut [u64]| all.next().map(|stimulus| words.copy_from_slice(stimulus)).is_some();
     let mut rows = 0;
@@ -172,7 +166,7 @@ fn a_sink_that_breaks_off_gets_no_further_row() {
         rows += 1;
         if rows == 1000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let done = run_batch(&program, &plan, feed, sink, Options { threads: 2, ..Options::default() }).expect("runs");
+    let done = run_batch(&program, &stimulus, feed, sink, Options { threads: 2, ..Options::default() }).expect("runs");
     assert_eq!((done.rows, done.complete, rows), (1000, false, 1000));
 }
 
@@ -198,15 +192,16 @@ proptest! {
         let program = Arc::new(program(made, Some(stop)));
         let fitted = |input: usize, word: u64| word & mask(program.inputs[input].width);
         changes.sort_by_key(|change| change.0);
-        let plan = Plan {
-            changes: changes.iter().map(|&(tick, input, word)| InputChange { tick, input, word: fitted(input, word) }).collect(),
-            end: if is_until { End::Until { limit } } else { End::Ticks(limit) },
+        let stimulus = Stimulus {
+            initial: vec![0; 3],
+            changes: changes.iter().map(|&(tick, input, word)| Change { tick, input, word: fitted(input, word) }).collect(),
+            stop: if is_until { StopRule::Until { limit } } else { StopRule::Ticks(limit) },
         };
         let stimuli: Vec<Vec<u64>> =
             stimuli.iter().map(|words| (0..3).map(|input| fitted(input, words[input])).collect()).collect();
-        let plain: Vec<_> = stimuli.iter().map(|words| plain_row(&program, &plan, words).0).collect();
+        let plain: Vec<_> = stimuli.iter().map(|words| plain_row(&program, &stimulus, words).0).collect();
         for path in Path::all() {
-            let rows = batch_rows(&program, &plan, &stimuli, Options { threads: 2, path, ..Options::default() });
+            let rows = batch_rows(&program, &stimulus, &stimuli, Options { threads: 2, path, ..Options::default() });
             prop_assert_eq!(&rows, &plain, "{:?}", path);
         }
     }

@@ -7,9 +7,11 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::counters::{Counters, MOST_WORDS};
+use super::counters::{EdgeCounters, MOST_WORDS};
+use super::job::Job;
 use super::queue::{Answer, Found, Queue, Results, Stimuli};
-use super::{End, Feed, Job, Pulse, Sink, StoppedBy};
+use super::{Feed, Sink};
+use crate::base::{Stimulus, StopRule, StoppedBy};
 use crate::engine::lanes::Machine;
 
 /// How many stimuli are drawn, and how many results kept, between two visits to the queue.
@@ -39,7 +41,7 @@ pub(super) struct Worker<'a, 'w, F, S> {
     taken: usize,
     is_over: bool,
     results: Results,
-    counters: Vec<Counters>,
+    counters: Vec<EdgeCounters>,
     /// A slow mean of the lengths of runs, times 64.
     usual_ticks: u64,
 }
@@ -66,9 +68,9 @@ struct Event {
     is_judged_from_here: bool,
 }
 
-fn events(job: &Job) -> Vec<Event> {
+fn events(stimulus: &Stimulus) -> Vec<Event> {
     let mut events: Vec<Event> = Vec::new();
-    for change in &job.plan.changes {
+    for change in &stimulus.changes {
         match events.last_mut().filter(|event| event.tick == change.tick) {
             Some(event) => event.changes.push((change.input, change.word)),
             None => {
@@ -77,14 +79,14 @@ fn events(job: &Job) -> Vec<Event> {
             }
         }
     }
-    if let End::Until { .. } = job.plan.end {
-        let tick = job.plan.first_judged_tick();
+    if let StopRule::Until { .. } = stimulus.stop {
+        let tick = stimulus.first_judged_tick();
         match events.last_mut().filter(|event| event.tick == tick) {
             Some(event) => event.is_judged_from_here = true,
             None => events.push(Event { tick, changes: Vec::new(), is_judged_from_here: true }),
         }
     }
-    events.retain(|event| event.tick <= job.plan.last_tick().0);
+    events.retain(|event| event.tick <= stimulus.last_tick().0);
     events
 }
 
@@ -105,7 +107,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
     pub(super) fn new(job: &'a Job, queue: &'a Queue<'w, F, S>, cancel: Option<&'a AtomicBool>) -> Self {
         let machine = Machine::new(Arc::clone(&job.compiled));
         let lanes = job.compiled.lanes();
-        let counted = job.pulses.iter().map(|_| Counters::new(lanes / 64));
+        let counted = job.pulses.iter().map(|_| EdgeCounters::new(lanes / 64));
         Self {
             job,
             queue,
@@ -115,7 +117,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
             active: vec![0; lanes / 64],
             judged: vec![0; lanes / 64],
             cohorts: Vec::new(),
-            events: events(job),
+            events: events(&job.stimulus),
             now: 0,
             deadline: u64::MAX,
             waiting: Stimuli { first: 0, words: Vec::new(), count: 0 },
@@ -177,7 +179,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
             self.active[at] |= word;
             self.judged[at] &= !word;
         }
-        self.deadline = self.deadline.min(self.now.saturating_add(self.job.plan.last_tick().0));
+        self.deadline = self.deadline.min(self.now.saturating_add(self.job.stimulus.last_tick().0));
         self.cohorts.push(Cohort { start: self.now, mask, next_event: 0 });
     }
 
@@ -196,7 +198,8 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
     }
 
     fn start(&mut self, lane: usize) {
-        let words = &self.waiting.words[self.taken * self.job.inputs..][..self.job.inputs];
+        let inputs = self.job.stimulus.initial.len();
+        let words = &self.waiting.words[self.taken * inputs..][..inputs];
         for (input, &word) in words.iter().enumerate() {
             self.machine.set(lane, input, word);
         }
@@ -235,7 +238,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
         let Some(index) = self.queue.watched() else { return };
         let Some(lane) = lanes_of(&self.active).find(|&lane| self.lanes[lane].index == index) else { return };
         let start = self.lanes[lane].start;
-        let last = start.saturating_add(self.job.plan.last_tick().0);
+        let last = start.saturating_add(self.job.stimulus.last_tick().0);
         for tick in 0..ticks {
             let read = |planes: &[u32]| self.machine.history().word(tick, planes, lane);
             let words: Vec<_> = self.job.signals.iter().map(|planes| read(planes)).collect();
@@ -261,7 +264,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
             }
         }
         if has_deadline {
-            let last = self.job.plan.last_tick().0;
+            let last = self.job.stimulus.last_tick().0;
             let starts = lanes_of(&self.active).map(|lane| self.lanes[lane].start);
             self.deadline = starts.min().map_or(u64::MAX, |start| start.saturating_add(last));
         }
@@ -286,7 +289,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
     }
 
     fn finish_at_deadline(&mut self, tick: usize) {
-        let (last, stopped_by) = self.job.plan.last_tick();
+        let (last, stopped_by) = self.job.stimulus.last_tick();
         let at = self.now + tick as u64;
         let due: Vec<_> = lanes_of(&self.active).filter(|&lane| at - self.lanes[lane].start.min(at) == last).collect();
         due.into_iter().for_each(|lane| self.finish(lane, tick, stopped_by));
@@ -299,14 +302,9 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
         let history = self.machine.history();
         let words = &mut self.results.words;
         words.extend(self.job.outputs.iter().map(|planes| history.word(tick, planes, lane)));
-        for (pulse, counters) in self.job.pulses.iter().zip(&self.counters) {
-            words.push(match pulse {
-                Pulse::Read(planes) => history.word(tick, planes, lane),
-                Pulse::Count(plane) => {
-                    let block: u64 = (0..=tick).map(|tick| history.bit(tick, *plane, lane)).sum();
-                    counters.count(lane) + block
-                }
-            });
+        for (&plane, counters) in self.job.pulses.iter().zip(&self.counters) {
+            let block = (0..=tick).map(|tick| history.bit(tick, plane, lane));
+            words.push(counters.count(lane, block));
         }
         self.results.found.push(Found { index, ticks, stopped_by });
         clear(&mut self.active, lane);
@@ -316,10 +314,8 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
     /// Counts the pulses of the block.
     fn count(&mut self, ticks: usize) {
         let history = self.machine.history();
-        for (pulse, counters) in self.job.pulses.iter().zip(&mut self.counters) {
-            if let Pulse::Count(plane) = *pulse {
-                counters.add((0..ticks).map(|tick| history.plane(tick, plane)));
-            }
+        for (&plane, counters) in self.job.pulses.iter().zip(&mut self.counters) {
+            counters.add((0..ticks).map(|tick| history.plane(tick, plane)));
         }
     }
 }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::{Compiled, Machine, Path};
 use crate::base::ValueId;
 use crate::compile::Program;
-use crate::engine::Engine;
+use crate::engine::pulses::PulseMeter;
+use crate::engine::{Engine, Pulses};
 
 /// Runs one stimulus in one lane. It gains nothing by that; it is there to be compared with the other engines.
 #[derive(Debug)]
@@ -16,6 +17,8 @@ pub struct LanesEngine {
     at: usize,
     inputs_changed: bool,
     watched: Vec<ValueId>,
+    counted: Vec<ValueId>,
+    pulses: PulseMeter,
 }
 
 impl LanesEngine {
@@ -31,7 +34,20 @@ impl LanesEngine {
         let compiled = Arc::new(Compiled::new(program, &program.observed(), path));
         let mut machine = Machine::new(compiled);
         machine.pass(1);
-        Self { machine, stop: program.stop, at: 0, inputs_changed: false, watched: Vec::new() }
+        let counted: Vec<_> = program.counted().collect();
+        let pulses = PulseMeter::new(counted.len());
+        Self { machine, stop: program.stop, at: 0, inputs_changed: false, watched: Vec::new(), counted, pulses }
+    }
+
+    fn is_high(&self, counted: usize, tick: usize) -> bool {
+        self.machine.history().word(tick, self.machine.compiled().planes(self.counted[counted]), 0) != 0
+    }
+
+    /// Counts the pulses of a tick of the last pass, which ends.
+    fn leave(&mut self, tick: usize) {
+        let mut pulses = std::mem::replace(&mut self.pulses, PulseMeter::new(0));
+        pulses.leave(|i| self.is_high(i, tick));
+        self.pulses = pulses;
     }
 
     fn has_stopped(&self, tick: usize) -> bool {
@@ -40,21 +56,19 @@ impl LanesEngine {
 
     /// Advances by one block of ticks; tells how many and whether the program stopped.
     fn block(&mut self, ticks: usize, until_stop: bool) -> (usize, bool) {
+        self.leave(self.at);
         self.machine.commit();
         let before = if until_stop && ticks > 1 { self.machine.present_state() } else { Vec::new() };
         self.machine.pass(ticks);
         self.at = ticks - 1;
         let stopped = if until_stop { (0..ticks).find(|&tick| self.has_stopped(tick)) } else { None };
-        match stopped {
-            Some(tick) if tick + 1 < ticks => {
-                self.machine.rewind(&before);
-                self.machine.pass(tick + 1);
-                self.at = tick;
-                (tick + 1, true)
-            }
-            Some(_) => (ticks, true),
-            None => (ticks, false),
+        if let Some(tick) = stopped.filter(|tick| tick + 1 < ticks) {
+            self.machine.rewind(&before);
+            self.machine.pass(tick + 1);
+            self.at = tick;
         }
+        (0..self.at).for_each(|tick| self.leave(tick));
+        (self.at + 1, stopped.is_some())
     }
 }
 
@@ -94,6 +108,10 @@ impl Engine for LanesEngine {
 
     fn value(&self, id: ValueId) -> u64 {
         self.machine.history().word(self.at, self.machine.compiled().planes(id), 0)
+    }
+
+    fn pulses(&self) -> Vec<Pulses> {
+        self.pulses.counts(|i| self.is_high(i, self.at))
     }
 
     fn watch(&mut self, ids: &[ValueId]) {

@@ -1,5 +1,6 @@
 //! The native engine: the program as machine code, made by Cranelift when it is loaded.
 
+mod count;
 mod fused;
 mod group;
 mod host;
@@ -14,11 +15,12 @@ mod word;
 
 use std::sync::Arc;
 
+use self::count::Counter;
 use self::host::{Assembler, Code};
 use self::memory::{Layout, Memory};
 use self::reads::Reads;
 use self::shared::Schedule;
-use super::Engine;
+use super::{Engine, Pulses};
 use crate::base::{Diagnostic, Op, ValueId};
 use crate::compile::Program;
 
@@ -36,6 +38,7 @@ pub struct Native {
     inputs: Vec<u64>,
     stale: bool,
     watched: Reads,
+    counters: Vec<Counter>,
 }
 
 /// What the code of a program looks like.
@@ -70,7 +73,9 @@ impl Native {
 
     fn in_form(program: Arc<Program>, shared: bool) -> Result<Self, Diagnostic> {
         let mut assembler = Assembler::new()?;
-        let stored = stored(&program);
+        let (program, counters) = count::with_counters(&program);
+        let stored = stored(&program, &counters);
+        let program = Arc::new(program);
         let (layout, form) = if shared {
             let (layout, schedule) = shared::compile(&mut assembler, &program, stored)?;
             (layout, Form::Shared(schedule))
@@ -85,6 +90,7 @@ impl Native {
             inputs: vec![0; program.inputs.len()],
             stale: false,
             watched: Reads::default(),
+            counters,
             program,
             layout,
             form,
@@ -113,12 +119,14 @@ impl Native {
     }
 }
 
-/// Which ops must be in memory at the end of a tick: what is observed, and what memories are to be written.
-fn stored(program: &Program) -> Vec<bool> {
+/// Which ops must be in memory at the end of a tick: what is observed, counts, and what memories are to be
+/// written.
+fn stored(program: &Program, counters: &[Counter]) -> Vec<bool> {
     let graph = &program.graph;
     let mut stored = vec![false; graph.nodes.len()];
     let writes = graph.rams.iter().flat_map(|ram| [ram.write.enable, ram.write.address, ram.write.data]);
-    for id in program.observed().into_iter().chain(writes) {
+    let counts = counters.iter().flat_map(|counter| counter.values());
+    for id in program.observed().into_iter().chain(writes).chain(counts) {
         stored[id.index()] = !graph.node(id).op.is_leaf();
     }
     stored
@@ -158,6 +166,10 @@ impl Engine for Native {
 
     fn value(&self, id: ValueId) -> u64 {
         self.memory.value(&self.layout, id)
+    }
+
+    fn pulses(&self) -> Vec<Pulses> {
+        self.counters.iter().map(|counter| counter.read(|id| self.value(id))).collect()
     }
 
     fn watch(&mut self, ids: &[ValueId]) {

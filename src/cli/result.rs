@@ -1,0 +1,107 @@
+//! What `stepwright run` tells about a run: in words, or as one JSON object.
+
+use std::fmt::Write as _;
+
+use serde_json::{Map, Value, json};
+
+use super::args::RunArguments;
+use super::observers::Observers;
+use super::print;
+use crate::base::Report;
+use crate::simulation::{Design, Outcome};
+use crate::trace::{Path, Picture, Table};
+
+/// The number of the form that JSON objects have.
+pub(super) const FORMAT: u32 = 1;
+
+/// Prints the result; on standard error when standard output is taken.
+pub(super) fn show(
+    arguments: &RunArguments,
+    design: &Design,
+    observers: &Observers,
+    outcome: &Outcome,
+) -> Result<(), Report> {
+    let text = if arguments.json {
+        format!("{}\n", object(design, observers, outcome))
+    } else {
+        let table = observers.table.as_ref().map(ToString::to_string).unwrap_or_default();
+        let picture = observers.path.as_ref().map(|path| Picture(path).to_string()).unwrap_or_default();
+        table + &picture + &summary(design, outcome)
+    };
+    if observers.take_standard_output() {
+        eprint!("{text}");
+        return Ok(());
+    }
+    print(&text)
+}
+
+fn summary(design: &Design, outcome: &Outcome) -> String {
+    let mut text = design.circuit().name().to_owned();
+    let title = &design.scenario().title;
+    if !title.is_empty() {
+        let _ = write!(text, ": {title}");
+    }
+    let _ = writeln!(text, "\n{} ticks, stopped by {}", outcome.ticks, outcome.stopped_by);
+    for output in &outcome.outputs {
+        let _ = write!(text, "    {:24} {}", output.port.name, output.number());
+        if let Some(real) = output.real() {
+            let _ = write!(text, " = {real}");
+        }
+        if let Some(pulses) = output.pulses {
+            let _ = write!(text, "    {}, high in {}", counted(pulses.rising, "pulse"), counted(pulses.high, "tick"));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn counted(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+fn object(design: &Design, observers: &Observers, outcome: &Outcome) -> Value {
+    let of_outputs = |value: &dyn Fn(&crate::simulation::Output) -> Option<Value>| {
+        let all = outcome.outputs.iter().filter_map(|output| Some((output.port.name.clone(), value(output)?)));
+        Value::Object(all.collect())
+    };
+    let parameters: Map<_, _> =
+        design.netlist().parameters.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
+    let mut object = json!({
+        "format": FORMAT,
+        "command": "run",
+        "circuit": design.circuit().name(),
+        "parameters": parameters,
+        "ticks": outcome.ticks,
+        "stopped_by": outcome.stopped_by.to_string(),
+        "outputs": of_outputs(&|output| Some(whole(output.number()))),
+        "real": of_outputs(&|output| output.real().map(Value::from)),
+        "pulses": of_outputs(&|output| Some(output.pulses?.rising.into())),
+        "high": of_outputs(&|output| Some(output.pulses?.high.into())),
+    });
+    if let Some(table) = &observers.table {
+        object["table"] = rows(table);
+    }
+    if let Some(path) = &observers.path {
+        object["path"] = strokes(path);
+    }
+    object
+}
+
+/// The headings, and a list of numbers for each row.
+fn rows(table: &Table) -> Value {
+    let row = |(tick, numbers): (u64, Vec<i128>)| {
+        let numbers = numbers.into_iter().map(whole);
+        Value::Array(std::iter::once(tick.into()).chain(numbers).collect())
+    };
+    json!({ "columns": table.headings(), "rows": table.rows().map(row).collect::<Vec<_>>() })
+}
+
+/// A list of points for each stroke.
+fn strokes(path: &Path) -> Value {
+    json!(path.strokes())
+}
+
+/// A port holds 64 bits at most, signed or not, which JSON numbers of this crate do too.
+fn whole(value: i128) -> Value {
+    i64::try_from(value).map_or_else(|_| u64::try_from(value).unwrap_or(u64::MAX).into(), Into::into)
+}
