@@ -148,11 +148,15 @@ module fig04_function_generator #(
     multiplier #(.A_WIDTH(16), .B_WIDTH(30), .WIDTH(46)) multiplier_86 (
         .clk(clk), .strobe(1'b1), .a(l_held), .b(cosine_90), .product(product_86)
     );
+    // J and L go to the inverting inputs as late as the products come out: x and y do not jump when they change.
+    wire signed [15:0] j_late, l_late;
+    register #(.WIDTH(16)) late_j (.clk(clk), .word(j_held), .enable(1'b1), .clear(1'b0), .q(j_late));
+    register #(.WIDTH(16)) late_l (.clk(clk), .word(l_held), .enable(1'b1), .clear(1'b0), .q(l_late));
     summer_4 #(.A_WIDTH(46), .B_WIDTH(46), .C_WIDTH(44), .D_WIDTH(44), .WIDTH(48), .NEGATIVE(4'b0100)) summer_88 (
-        .clk(clk), .strobe(1'b1), .a(product_80), .b(product_82), .c({j_held, 28'd0}), .d({x0_held, 28'd0}), .sum(x_88)
+        .clk(clk), .strobe(1'b1), .a(product_80), .b(product_82), .c({j_late, 28'd0}), .d({x0_held, 28'd0}), .sum(x_88)
     );
     summer_4 #(.A_WIDTH(46), .B_WIDTH(46), .C_WIDTH(44), .D_WIDTH(44), .WIDTH(48), .NEGATIVE(4'b0100)) summer_90 (
-        .clk(clk), .strobe(1'b1), .a(product_86), .b(product_84), .c({l_held, 28'd0}), .d({y0_held, 28'd0}), .sum(y_90)
+        .clk(clk), .strobe(1'b1), .a(product_86), .b(product_84), .c({l_late, 28'd0}), .d({y0_held, 28'd0}), .sum(y_90)
     );
     wire overflow_x;
     wire overflow_y;
