@@ -6,6 +6,8 @@ mod cli;
 mod converters;
 /// Engines agree with each other and with the meaning of the ops.
 mod engines;
+/// The longest runs of the shipped scenarios.
+mod extremes;
 /// The multiplying function generator of US 3,809,868.
 mod function_generator;
 /// Random circuits and stimuli.

@@ -9,8 +9,9 @@
 // Errata: numeral 90 stands for the cosine generator (net cosine_90) and for a summer (summer_90, net y_90); 94 for the
 // phase detector and, twice, for the time controller, which is 98; "t = 3/4" is 3 pi/2.
 //
-// Every other numeral of the two figures is an instance, but: generators 90 and 92 are all of FIG. 4A together and appear
-// as their nets cosine_90 and sine_92; data converter 14 is outside, and so is display system 22, which gets x, y, mark.
+// Every other numeral of the two figures is an instance, but: generators 90 and 92 are all of FIG. 4A together and
+// appear as their nets cosine_90 and sine_92; data converter 14 is outside, and so is display system 22, which gets x,
+// y and mark.
 //
 // Chosen, where the patent is silent or analog:
 //  - Words (sign included . fraction bits): the triangle runs from 0 to 2^28; sine and cosine 30.28, so that 1 is
@@ -20,15 +21,16 @@
 //    stop pulse three ticks later, in the tick in which x and y show the end; the mark is lit from the tick in which
 //    they show the beginning to that one. Then the integrator is discharged, and x, y are back at X0, Y0, blanked.
 //  - J..M, X0, Y0 and `quarters` are taken in the tick of the start and kept in registers to the next.
-//  - 102 sums up the deviation, in proportion to the rate itself, and regulates while 98 runs and the mark is due. Reference: 2^26 units,
-//    a quarter of a count a tick. Rates: 1 is 2^-28 of a quarter a tick.
+//  - 102 sums up the deviation, in proportion to the rate itself, and regulates while 98 runs and the mark is due.
+//    Reference: 2^26 units, a quarter of a count a tick. Rates: 1 is 2^-28 of a quarter a tick.
 //  - `fast` = 1 throws switch 109 to reference 111: 2^20, a quarter in 256 ticks. That is more than the largest rate
 //    of 102, 2^20 - 1, so a thrown switch is never slower, whatever the radius. Meanwhile 102 keeps its rate, and
 //    for four ticks more, until the steps begun at full speed have left 88 and 90.
 //  - `inhibit` = 1 blanks the mark in the same tick. Clipping (FIG. 16) judges x and y and gives both, `inhibit` to
 //    100 and `fast` to 109: as x and y are registers, that closes no loop, and mark and point stay in step.
-//  - `error`: `quarters` is 0 or more than 4, and the start was refused; or X or Y beyond 16 bits. It stays until the
-//    next start. A start while busy is ignored; `busy` has fallen when `done` comes, so the next stroke may begin there.
+//  - `error`: `quarters` is 0 or more than 4, and the start was refused (`done` follows at once); or X or Y beyond 16
+//    bits. It stays until the next start. A start while busy is ignored; `busy` has fallen when `done` comes, so the
+//    next stroke may begin there.
 `default_nettype none
 
 module fig04_function_generator #(
@@ -183,7 +185,10 @@ module fig04_function_generator #(
     wire not_inhibited;
     delay_element #(.DELAY(4)) delay_start (.clk(clk), .pulse_in(begun), .pulse_out(mark_on));
     delay_element #(.DELAY(2)) delay_stop (.clk(clk), .pulse_in(stop), .pulse_out(ended));
-    delay_element #(.DELAY(1)) delay_done (.clk(clk), .pulse_in(ended), .pulse_out(done));
+    wire refused;
+    wire finished;
+    or or_finished (finished, ended, refused);
+    delay_element #(.DELAY(1)) delay_done (.clk(clk), .pulse_in(finished), .pulse_out(done));
     trigger mark_inhibit_100 (.clk(clk), .set(mark_on), .reset(done), .q(drawing));
     not not_inhibit (not_inhibited, inhibit);
     and mark_gate_100 (mark, drawing, not_inhibited);
@@ -201,7 +206,6 @@ module fig04_function_generator #(
     );
 
     // Errors.
-    wire refused;
     wire beyond;
     wire beyond_now;
     wire wrong;
