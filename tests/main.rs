@@ -16,6 +16,8 @@ mod generate;
 mod goldens;
 /// Circuits as text.
 mod netlist;
+/// Numerals of figures and names in circuits.
+mod numerals;
 mod outside;
 mod simulation;
 /// The linear interpolator of SU 1522157 and its multiplexer.
