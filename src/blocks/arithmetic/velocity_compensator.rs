@@ -23,10 +23,10 @@ static DESCRIPTION: Description = Description {
     doc: "While `enable` is 1: velocity = magnitude of (x(t) - x(t-1), y(t) - y(t-1)) as in block vector_magnitude; \
           deviation = (2^VELOCITY_BITS - velocity) / 2^VELOCITY_BITS, not below -1; rate(t+1) = rate + rate * deviation / \
           8, between 2^(RATE_BITS-12) and 2^RATE_BITS - 1. While it is 0 the rate is START_RATE. While `hold` is 1 \
-          the rate stays: another one moves the point. The step is a part of \
-          the rate, so the loop behaves alike for large and small curves.",
-    source: "US 3,809,868, FIG. 4 and 4A, velocity compensator 102 (chosen: that the deviation is summed up, \
-             the gain, and `hold`)",
+          the rate stays, because another one moves the point. The step is a part of the rate, so the loop behaves alike \
+          for large and small curves.",
+    source: "US 3,809,868, FIG. 4 and 4A, velocity compensator 102 (chosen: that the deviation is summed up, the \
+             gain, and `hold`)",
     parameters: &[
         Parameter { name: "WIDTH", default: 48, min: 8, max: 49, doc: "bits of x and y" },
         Parameter {

@@ -12,7 +12,7 @@ static DESCRIPTION: Description = Description {
     doc: "At the end of a tick with `load` = 1 it takes the number of quarters, 1 to 4; from then on strobe = \
           strobes[quarters - 1]. No strobe passes before the first load. `out_of_range`, combinational, is 1 when \
           `quarters` is 0 or more than 4.",
-    source: "US 3,809,868, FIG. 4, logic switch 96 ; the register is chosen",
+    source: "US 3,809,868, FIG. 4, logic switch 96; the register is chosen",
     parameters: &[],
     ports: &[
         PortDescription::input("strobes", Width::Fixed(4), "the quarter points, pi/2 lowest"),
