@@ -1,14 +1,11 @@
 //! Every numeral of FIG. 3 to 8 of US 3,809,868 is the ending of an instance's or a net's name in its circuit.
 
-use stepwright::netlist;
-use stepwright::simulation::shipped::{self, Shelf};
+use stepwright::simulation::Circuit;
 
 /// The names of all instances and nets of a circuit, those inside its modules included.
 fn names(circuit: &str) -> Vec<String> {
-    let path = format!("us3809868/{circuit}.v");
-    let text = shipped::text(&path).expect("the circuit");
-    let netlist = netlist::load(&path, text, None, &Shelf { near: &path }, &[]);
-    let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
+    let circuit = Circuit::shipped(&format!("us3809868/{circuit}")).expect("the circuit");
+    let netlist = circuit.elaborate(&[]).unwrap_or_else(|report| panic!("{report}"));
     let cells = netlist.cells.iter().map(|cell| cell.name.clone());
     cells.chain(netlist.nets.iter().map(|net| net.name.clone())).collect()
 }
