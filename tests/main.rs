@@ -6,6 +6,8 @@ mod cli;
 mod converters;
 /// Engines agree with each other and with the meaning of the ops.
 mod engines;
+/// The longest runs of the shipped scenarios.
+mod extremes;
 /// The multiplying function generator of US 3,809,868.
 mod function_generator;
 /// Random circuits and stimuli.
@@ -14,6 +16,8 @@ mod generate;
 mod goldens;
 /// Circuits as text.
 mod netlist;
+/// Numerals of figures and names in circuits.
+mod numerals;
 mod outside;
 mod simulation;
 /// The linear interpolator of SU 1522157 and its multiplexer.

@@ -1,6 +1,6 @@
 `default_nettype none
 
-// Linear interpolator, SU 1522157 A1 (1988), figure 1.
+// Linear interpolator, SU 1522157 A1 (1989), figure 1.
 //
 // One frame is one straight segment. It is given by the greater and the lesser of its two absolute projections and
 // by which axis has the greater one; a start pulse loads it. Steps come out: a whole step along the major axis
@@ -65,7 +65,8 @@ module interpolator #(
     wire delayed_13, delayed_22;
     wire active_13, active_20, active_22;
 
-    // 20: the pulse distributor. Start pulse 33 walks past taps 23 to 31.
+    // 20: the pulse distributor. Start pulse 33 walks past taps 23 to 31. Chosen: that 33 feeds it; the text says of 33
+    // that it begins the work, and of 20 that it then gives its pulses, but nowhere what enters 20.
     wire [8:0] taps_20;
     pulse_distributor #(.TAPS(9), .SPACING(TAP_SPACING)) distributor_20 (
         .clk(clk),
@@ -105,11 +106,11 @@ module interpolator #(
     );
 
     // 2: the first shift register. Erratum: the claim connects the multiplexer with its "outputs"; inputs is right.
-    // Chosen: it loads through the set inputs of its digits, because the figure leads no load strobe to it, 21 gives 0
-    // when nothing is to be loaded, and taps 23 and 27 clear it before 24 and 28 load it. It is transparent while it
-    // loads: pulse 33 loads it and at once passes its word on to adder 1. "Shifted one digit to the right" in the text
-    // is towards the high digits, which the patent writes on the right: a shift doubles the word. The register holds
-    // the sign digit, too: with MINUS_ZERO = 1 and X = Y, tap 24 loads it with minus zero.
+    // Chosen: it loads through the set inputs of its digits, because the text, which lists its control inputs, has no
+    // load strobe among them (the figure is lost), 21 gives 0 when nothing is to be loaded, and taps 23 and 27 clear it
+    // before 24 and 28 load it. It is transparent while it loads: pulse 33 loads it and at once passes its word on to
+    // adder 1. "Shifted one digit to the right" in the text doubles the word, so it is towards the high digits. The
+    // register holds the sign digit, too: with MINUS_ZERO = 1 and X = Y, tap 24 loads it with minus zero.
     wire [WORD-1:0] transfer_2;
     shift_register #(.WIDTH(WORD), .TRANSPARENT(1), .SET_ONLY(1)) register_2 (
         .clk(clk),
@@ -122,7 +123,7 @@ module interpolator #(
     );
 
     // 3: the second shift register. It passes on the inverse of its word, so that adder 1 subtracts it. Chosen: pulse
-    // 33 is its load strobe; in the patent the word on input 34 comes as a pulse itself.
+    // 33 is its load strobe; the text only says that the word is written when 33 comes.
     wire [WORD-1:0] transfer_3;
     shift_register #(.WIDTH(WORD), .SET_ONLY(1)) register_3 (
         .clk(clk),

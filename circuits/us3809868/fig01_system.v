@@ -3,8 +3,12 @@
 // (X1, Y1).
 //
 // From the text: converter 14 may contain all five cases, one of which is selected by the operator. `case_number`, 1 to
-// 5, selects it; an input that the case has no use for is ignored. Lines 18 and 20 are x and y. `mark` is the enable of
-// the blanking 36: the generator is at work.
+// 5, selects it; an input that the case has no use for is ignored. `mark` is the enable of blanking 36: the generator is
+// at work.
+//
+// Where the numerals are: 14 and 16 are instances; input source 12 is the inputs; lines 18 and 20 are x and y. Display
+// system 22 is outside: x and y go to digital-to-analog conversion 24 and so to CRT 26, scan converter 28 with television
+// display 30, storage tube 32 and XY plotter 34, mark to 36, and the pulses to incremental plotter 38 and tool 40.
 //
 // Chosen: `start` (one tick, with all inputs valid in that tick) begins the conversion, the converter's `done` starts
 // the generator in the tick in which it rises. `busy` is high from the tick after the start to the end; a start

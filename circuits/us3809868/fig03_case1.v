@@ -11,12 +11,7 @@
 // `error`: S0 = S1; J, K, L or M beyond 16 bits.
 //
 // Ranks: {62, 64, 70} {66} {68} {72} {rounder_72, 76} {74, rounder_76} {78} {output registers}; 72 takes 39 ticks.
-// Chosen for all five converters, where the patent is silent:
-//  - each numbered module is clocked: it takes its inputs at the strobe of its rank and holds its output;
-//  - the sources are registers, loaded in the tick of `start`;
-//  - one of (J, K) and one of (L, M) is rounded to a whole count, a half upwards (rounder_*), and its partner is formed
-//    through the exact whole number A or B: K - J = A and M - L = B always, and the drawn end is exactly (X1, Y1);
-//  - `done` rises when the result stands, and stays until the next start; `error` goes with it, and J..M are then 0.
+// What is chosen for all five converters stands in converter_outputs.v.
 `default_nettype none
 
 module fig03_case1 (
@@ -123,16 +118,11 @@ module fig03_case1 (
     wire wrong;
     or or_wrong (wrong, overflow_72, overflow_rounder_72, overflow_76, overflow_74, overflow_rounder_76, overflow_78);
 
-    // Output registers: cleared instead of loaded when anything is wrong.
-    wire finish;
-    wire refuse;
-    assign finish = rank[7];
-    and and_refuse (refuse, finish, wrong);
-    register #(.WIDTH(16)) register_j (.clk(clk), .word(j_rounded), .enable(finish), .clear(refuse), .q(j));
-    register #(.WIDTH(16)) register_k (.clk(clk), .word(k_74), .enable(finish), .clear(refuse), .q(k));
-    register #(.WIDTH(16)) register_l (.clk(clk), .word(l_rounded), .enable(finish), .clear(refuse), .q(l));
-    register #(.WIDTH(16)) register_m (.clk(clk), .word(m_78), .enable(finish), .clear(refuse), .q(m));
-    register #(.WIDTH(1)) register_error (.clk(clk), .word(wrong), .enable(finish), .clear(load), .q(error));
+    // The results are taken in the last rank, refused when anything is wrong.
+    converter_outputs outputs (
+        .clk(clk), .load(load), .finish(rank[7]), .wrong(wrong), .j_word(j_rounded), .k_word(k_74),
+        .l_word(l_rounded), .m_word(m_78), .j(j), .k(k), .l(l), .m(m), .error(error)
+    );
 
     // The rank sequencer: a rank is clocked when no digit-by-digit unit is at work.
     rank_sequencer #(.RANKS(8)) rank_sequencer (

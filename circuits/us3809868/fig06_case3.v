@@ -14,12 +14,7 @@
 //
 // Ranks: {110, 138, 144, 146} {136, 140, 148} {132, 134} {120} {124} {122} {116} {114, 150} {152} {154}
 // {156, rounder_154} {158, rounder_156} {rounder_158} {160} {output registers}; 120 and 116 take 30 ticks, 154 takes 39.
-// Chosen for all five converters, where the patent is silent:
-//  - each numbered module is clocked: it takes its inputs at the strobe of its rank and holds its output;
-//  - the sources are registers, loaded in the tick of `start`;
-//  - one of (J, K) and one of (L, M) is rounded to a whole count, a half upwards (rounder_*), and its partner is formed
-//    through the exact whole number A or B: K - J = A and M - L = B always, and the drawn end is exactly (X1, Y1);
-//  - `done` rises when the result stands, and stays until the next start; `error` goes with it, and J..M are then 0.
+// What is chosen for all five converters stands in converter_outputs.v.
 `default_nettype none
 
 module fig06_case3 (
@@ -45,32 +40,18 @@ module fig06_case3 (
     wire [14:0] rank;
 
     // Sources.
-    wire signed [15:0] held_x0;
-    register #(.WIDTH(16)) source_x0 (.clk(clk), .word(x0), .enable(load), .clear(1'b0), .q(held_x0));
-    wire signed [15:0] held_y0;
-    register #(.WIDTH(16)) source_y0 (.clk(clk), .word(y0), .enable(load), .clear(1'b0), .q(held_y0));
-    wire signed [15:0] held_x1;
-    register #(.WIDTH(16)) source_x1 (.clk(clk), .word(x1), .enable(load), .clear(1'b0), .q(held_x1));
-    wire signed [15:0] held_y1;
-    register #(.WIDTH(16)) source_y1 (.clk(clk), .word(y1), .enable(load), .clear(1'b0), .q(held_y1));
-    wire signed [15:0] held_x3;
-    register #(.WIDTH(16)) source_x3 (.clk(clk), .word(x3), .enable(load), .clear(1'b0), .q(held_x3));
-    wire signed [15:0] held_y3;
-    register #(.WIDTH(16)) source_y3 (.clk(clk), .word(y3), .enable(load), .clear(1'b0), .q(held_y3));
+    wire signed [15:0] held_x0, held_y0, held_x1, held_y1, held_x3, held_y3;
+    converter_points sources (
+        .clk(clk), .load(load), .x0(x0), .y0(y0), .x1(x1), .y1(y1), .x_third(x3), .y_third(y3),
+        .held_x0(held_x0), .held_y0(held_y0), .held_x1(held_x1), .held_y1(held_y1), .held_x_third(held_x3),
+        .held_y_third(held_y3)
+    );
     (* fraction = 18 *) wire signed [31:0] held_s1;
     register #(.WIDTH(32)) source_s1 (.clk(clk), .word(s1), .enable(load), .clear(1'b0), .q(held_s1));
     assign x0_out = held_x0;
     assign y0_out = held_y0;
 
     // Rank 0
-    wire signed [16:0] a_110;
-    summer #(.A_WIDTH(16), .B_WIDTH(16), .WIDTH(17), .NEGATIVE(2'b10)) summer_110 (
-        .clk(clk), .strobe(rank[0]), .a(held_x1), .b(held_x0), .sum(a_110)
-    );
-    wire signed [16:0] b_138;
-    summer #(.A_WIDTH(16), .B_WIDTH(16), .WIDTH(17), .NEGATIVE(2'b10)) summer_138 (
-        .clk(clk), .strobe(rank[0]), .a(held_y1), .b(held_y0), .sum(b_138)
-    );
     wire signed [16:0] c_144;
     summer #(.A_WIDTH(16), .B_WIDTH(16), .WIDTH(17), .NEGATIVE(2'b10)) summer_144 (
         .clk(clk), .strobe(rank[0]), .a(held_x3), .b(held_x0), .sum(c_144)
@@ -80,62 +61,25 @@ module fig06_case3 (
         .clk(clk), .strobe(rank[0]), .a(held_y3), .b(held_y0), .sum(d_146)
     );
 
-    // Ranks 1 and 2
-    (* fraction = 18 *) wire signed [48:0] product_136;
-    multiplier #(.A_WIDTH(17), .B_WIDTH(32), .WIDTH(49)) multiplier_136 (
-        .clk(clk), .strobe(rank[1]), .a(a_110), .b(held_s1), .product(product_136)
+    // A and B, E, F and E + F - 1: ranks 0 to 7.
+    wire signed [16:0] a_110;
+    wire signed [16:0] b_138;
+    (* fraction = 30 *) wire signed [30:0] e_120;
+    (* fraction = 30 *) wire [29:0] f_116;
+    (* fraction = 30 *) wire signed [31:0] denominator_114;
+    wire ready_e_and_f;
+    wire wrong_e_and_f;
+    converter_e_and_f e_and_f (
+        .clk(clk), .rank(rank[7:0]), .x0(held_x0), .y0(held_y0), .x1(held_x1), .y1(held_y1), .c(c_144), .d(d_146),
+        .slope(held_s1), .a_110(a_110), .b_138(b_138), .e_120(e_120), .f_116(f_116),
+        .denominator_114(denominator_114), .ready(ready_e_and_f), .wrong(wrong_e_and_f)
     );
-    (* fraction = 18 *) wire signed [48:0] product_140;
-    multiplier #(.A_WIDTH(17), .B_WIDTH(32), .WIDTH(49)) multiplier_140 (
-        .clk(clk), .strobe(rank[1]), .a(c_144), .b(held_s1), .product(product_140)
-    );
+
+    // K
     wire signed [17:0] difference_148;
     summer #(.A_WIDTH(17), .B_WIDTH(17), .WIDTH(18), .NEGATIVE(2'b10)) summer_148 (
         .clk(clk), .strobe(rank[1]), .a(c_144), .b(a_110), .sum(difference_148)
     );
-    (* fraction = 18 *) wire signed [49:0] denominator_132;
-    summer #(.A_WIDTH(49), .B_WIDTH(35), .WIDTH(50), .NEGATIVE(2'b10)) summer_132 (
-        .clk(clk), .strobe(rank[2]), .a(product_136), .b({b_138, 18'd0}), .sum(denominator_132)
-    );
-    (* fraction = 18 *) wire signed [49:0] numerator_134;
-    summer #(.A_WIDTH(49), .B_WIDTH(35), .WIDTH(50), .NEGATIVE(2'b10)) summer_134 (
-        .clk(clk), .strobe(rank[2]), .a(product_140), .b({d_146, 18'd0}), .sum(numerator_134)
-    );
-
-    // E, and F = sqrt(1 - E^2). |E| >= 1 overflows 120; 1 - E^2 = 1 (E = 0) overflows 122; E < 0 shows in its sign.
-    (* fraction = 30 *) wire signed [30:0] e_120;
-    wire ready_120;
-    wire degenerate_120;
-    wire overflow_120;
-    divider #(.NUMERATOR_WIDTH(50), .DENOMINATOR_WIDTH(50), .FRACTION(30), .WIDTH(31)) divider_120 (
-        .clk(clk), .start(rank[3]), .numerator(numerator_134), .denominator(denominator_132), .quotient(e_120),
-        .ready(ready_120), .zero_denominator(degenerate_120), .overflow(overflow_120)
-    );
-    (* fraction = 60 *) wire signed [60:0] square_124;
-    squaring_circuit #(.A_WIDTH(31), .WIDTH(61)) squaring_circuit_124 (
-        .clk(clk), .strobe(rank[4]), .a(e_120), .square(square_124)
-    );
-    wire signed [1:0] one_126;
-    reference #(.WIDTH(2), .VALUE(1)) reference_126 (.value(one_126));
-    (* fraction = 60 *) wire signed [60:0] radicand_122;
-    wire overflow_122;
-    summer #(.A_WIDTH(62), .B_WIDTH(61), .WIDTH(61), .NEGATIVE(2'b10)) summer_122 (
-        .clk(clk), .strobe(rank[5]), .a({one_126, 60'd0}), .b(square_124), .sum(radicand_122),
-        .overflow(overflow_122)
-    );
-    (* fraction = 30 *) wire [29:0] f_116;
-    wire ready_116;
-    square_rooter #(.PAIRS(30)) square_rooter_116 (
-        .clk(clk), .start(rank[6]), .radicand(radicand_122), .root(f_116), .ready(ready_116)
-    );
-    wire signed [1:0] minus_one_118;
-    reference #(.WIDTH(2), .VALUE(-1)) reference_118 (.value(minus_one_118));
-    (* fraction = 30 *) wire signed [31:0] denominator_114;
-    summer_3 #(.A_WIDTH(31), .B_WIDTH(32), .C_WIDTH(31), .WIDTH(32)) summer_114 (
-        .clk(clk), .strobe(rank[7]), .a({1'b0, f_116}), .b({minus_one_118, 30'd0}), .c(e_120), .sum(denominator_114)
-    );
-
-    // K
     (* fraction = 30 *) wire signed [47:0] product_150;
     multiplier #(.A_WIDTH(17), .B_WIDTH(31), .WIDTH(48)) multiplier_150 (
         .clk(clk), .strobe(rank[7]), .a(a_110), .b({1'b0, f_116}), .product(product_150)
@@ -187,23 +131,18 @@ module fig06_case3 (
 
     // What can go wrong: each flag is held by its module until the next conversion.
     wire wrong;
-    or or_wrong (wrong, e_120[30], overflow_120, overflow_122, overflow_154, overflow_rounder_154, overflow_156,
+    or or_wrong (wrong, wrong_e_and_f, overflow_154, overflow_rounder_154, overflow_156,
         overflow_rounder_156, overflow_158, overflow_rounder_158, overflow_160);
 
-    // Output registers: cleared instead of loaded when anything is wrong.
-    wire finish;
-    wire refuse;
-    assign finish = rank[14];
-    and and_refuse (refuse, finish, wrong);
-    register #(.WIDTH(16)) register_j (.clk(clk), .word(j_rounded), .enable(finish), .clear(refuse), .q(j));
-    register #(.WIDTH(16)) register_k (.clk(clk), .word(k_rounded), .enable(finish), .clear(refuse), .q(k));
-    register #(.WIDTH(16)) register_l (.clk(clk), .word(l_rounded), .enable(finish), .clear(refuse), .q(l));
-    register #(.WIDTH(16)) register_m (.clk(clk), .word(m_160), .enable(finish), .clear(refuse), .q(m));
-    register #(.WIDTH(1)) register_error (.clk(clk), .word(wrong), .enable(finish), .clear(load), .q(error));
+    // The results are taken in the last rank, refused when anything is wrong.
+    converter_outputs outputs (
+        .clk(clk), .load(load), .finish(rank[14]), .wrong(wrong), .j_word(j_rounded), .k_word(k_rounded),
+        .l_word(l_rounded), .m_word(m_160), .j(j), .k(k), .l(l), .m(m), .error(error)
+    );
 
     // The rank sequencer: a rank is clocked when no digit-by-digit unit is at work.
     wire ready;
-    and and_ready (ready, ready_120, ready_116, ready_154);
+    and and_ready (ready, ready_e_and_f, ready_154);
     rank_sequencer #(.RANKS(15)) rank_sequencer (
         .clk(clk), .start(start), .ready(ready), .load(load), .rank(rank), .done(done)
     );

@@ -17,12 +17,7 @@
 // Ranks: {162..172} {174, 176} {178, 180} {182} {184, 188} {192, 202} {194} {186} {198} {206} {208} {212} {216}
 // {210, 220, 222} {224, 226} {228, 230} {rounder_228, rounder_230} {232, 234} {output registers}; 182 takes 40 ticks,
 // 192 35, 206 and 216 30, 228 and 230 39.
-// Chosen for all five converters, where the patent is silent:
-//  - each numbered module is clocked: it takes its inputs at the strobe of its rank and holds its output;
-//  - the sources are registers, loaded in the tick of `start`;
-//  - one of (J, K) and one of (L, M) is rounded to a whole count, a half upwards (rounder_*), and its partner is formed
-//    through the exact whole number A or B: K - J = A and M - L = B always, and the drawn end is exactly (X1, Y1);
-//  - `done` rises when the result stands, and stays until the next start; `error` goes with it, and J..M are then 0.
+// What is chosen for all five converters stands in converter_outputs.v.
 `default_nettype none
 
 module fig07_case4 (
@@ -48,18 +43,12 @@ module fig07_case4 (
     wire [18:0] rank;
 
     // Sources.
-    wire signed [15:0] held_x0;
-    register #(.WIDTH(16)) source_x0 (.clk(clk), .word(x0), .enable(load), .clear(1'b0), .q(held_x0));
-    wire signed [15:0] held_y0;
-    register #(.WIDTH(16)) source_y0 (.clk(clk), .word(y0), .enable(load), .clear(1'b0), .q(held_y0));
-    wire signed [15:0] held_x1;
-    register #(.WIDTH(16)) source_x1 (.clk(clk), .word(x1), .enable(load), .clear(1'b0), .q(held_x1));
-    wire signed [15:0] held_y1;
-    register #(.WIDTH(16)) source_y1 (.clk(clk), .word(y1), .enable(load), .clear(1'b0), .q(held_y1));
-    wire signed [15:0] held_x3;
-    register #(.WIDTH(16)) source_x3 (.clk(clk), .word(x3), .enable(load), .clear(1'b0), .q(held_x3));
-    wire signed [15:0] held_y3;
-    register #(.WIDTH(16)) source_y3 (.clk(clk), .word(y3), .enable(load), .clear(1'b0), .q(held_y3));
+    wire signed [15:0] held_x0, held_y0, held_x1, held_y1, held_x3, held_y3;
+    converter_points sources (
+        .clk(clk), .load(load), .x0(x0), .y0(y0), .x1(x1), .y1(y1), .x_third(x3), .y_third(y3),
+        .held_x0(held_x0), .held_y0(held_y0), .held_x1(held_x1), .held_y1(held_y1), .held_x_third(held_x3),
+        .held_y_third(held_y3)
+    );
     (* fraction = 18 *) wire signed [31:0] held_s3;
     register #(.WIDTH(32)) source_s3 (.clk(clk), .word(s3), .enable(load), .clear(1'b0), .q(held_s3));
     assign x0_out = held_x0;
@@ -247,16 +236,11 @@ module fig07_case4 (
     or or_wrong (wrong, overflow_182, negative_192, overflow_206, overflow_212, overflow_228, overflow_230,
         overflow_rounder_228, overflow_rounder_230, overflow_232, overflow_234);
 
-    // Output registers: cleared instead of loaded when anything is wrong.
-    wire finish;
-    wire refuse;
-    assign finish = rank[18];
-    and and_refuse (refuse, finish, wrong);
-    register #(.WIDTH(16)) register_j (.clk(clk), .word(j_rounded), .enable(finish), .clear(refuse), .q(j));
-    register #(.WIDTH(16)) register_k (.clk(clk), .word(k_232), .enable(finish), .clear(refuse), .q(k));
-    register #(.WIDTH(16)) register_l (.clk(clk), .word(l_rounded), .enable(finish), .clear(refuse), .q(l));
-    register #(.WIDTH(16)) register_m (.clk(clk), .word(m_234), .enable(finish), .clear(refuse), .q(m));
-    register #(.WIDTH(1)) register_error (.clk(clk), .word(wrong), .enable(finish), .clear(load), .q(error));
+    // The results are taken in the last rank, refused when anything is wrong.
+    converter_outputs outputs (
+        .clk(clk), .load(load), .finish(rank[18]), .wrong(wrong), .j_word(j_rounded), .k_word(k_232),
+        .l_word(l_rounded), .m_word(m_234), .j(j), .k(k), .l(l), .m(m), .error(error)
+    );
 
     // The rank sequencer: a rank is clocked when no digit-by-digit unit is at work.
     wire ready;

@@ -12,12 +12,7 @@
 //
 // Ranks: {236..242} {244, 246} {248, 250} {252, 254} {rounder_252, rounder_254} {258, 260} {output registers}. There is
 // no divider, so no rank waits.
-// Chosen for all five converters, where the patent is silent:
-//  - each numbered module is clocked: it takes its inputs at the strobe of its rank and holds its output;
-//  - the sources are registers, loaded in the tick of `start`;
-//  - one of (J, K) and one of (L, M) is rounded to a whole count, a half upwards (rounder_*), and its partner is formed
-//    through the exact whole number A or B: K - J = A and M - L = B always, and the drawn end is exactly (X1, Y1);
-//  - `done` rises when the result stands, and stays until the next start; `error` goes with it, and J..M are then 0.
+// What is chosen for all five converters stands in converter_outputs.v.
 `default_nettype none
 
 module fig08_case5 (
@@ -42,18 +37,12 @@ module fig08_case5 (
     wire [6:0] rank;
 
     // Sources.
-    wire signed [15:0] held_x0;
-    register #(.WIDTH(16)) source_x0 (.clk(clk), .word(x0), .enable(load), .clear(1'b0), .q(held_x0));
-    wire signed [15:0] held_y0;
-    register #(.WIDTH(16)) source_y0 (.clk(clk), .word(y0), .enable(load), .clear(1'b0), .q(held_y0));
-    wire signed [15:0] held_x1;
-    register #(.WIDTH(16)) source_x1 (.clk(clk), .word(x1), .enable(load), .clear(1'b0), .q(held_x1));
-    wire signed [15:0] held_y1;
-    register #(.WIDTH(16)) source_y1 (.clk(clk), .word(y1), .enable(load), .clear(1'b0), .q(held_y1));
-    wire signed [15:0] held_x2;
-    register #(.WIDTH(16)) source_x2 (.clk(clk), .word(x2), .enable(load), .clear(1'b0), .q(held_x2));
-    wire signed [15:0] held_y2;
-    register #(.WIDTH(16)) source_y2 (.clk(clk), .word(y2), .enable(load), .clear(1'b0), .q(held_y2));
+    wire signed [15:0] held_x0, held_y0, held_x1, held_y1, held_x2, held_y2;
+    converter_points sources (
+        .clk(clk), .load(load), .x0(x0), .y0(y0), .x1(x1), .y1(y1), .x_third(x2), .y_third(y2),
+        .held_x0(held_x0), .held_y0(held_y0), .held_x1(held_x1), .held_y1(held_y1), .held_x_third(held_x2),
+        .held_y_third(held_y2)
+    );
     assign x0_out = held_x0;
     assign y0_out = held_y0;
 
@@ -134,16 +123,11 @@ module fig08_case5 (
     or or_wrong (wrong, overflow_252, overflow_254, overflow_rounder_252, overflow_rounder_254, overflow_258,
         overflow_260);
 
-    // Output registers: cleared instead of loaded when anything is wrong.
-    wire finish;
-    wire refuse;
-    assign finish = rank[6];
-    and and_refuse (refuse, finish, wrong);
-    register #(.WIDTH(16)) register_j (.clk(clk), .word(j_rounded), .enable(finish), .clear(refuse), .q(j));
-    register #(.WIDTH(16)) register_k (.clk(clk), .word(k_258), .enable(finish), .clear(refuse), .q(k));
-    register #(.WIDTH(16)) register_l (.clk(clk), .word(l_rounded), .enable(finish), .clear(refuse), .q(l));
-    register #(.WIDTH(16)) register_m (.clk(clk), .word(m_260), .enable(finish), .clear(refuse), .q(m));
-    register #(.WIDTH(1)) register_error (.clk(clk), .word(wrong), .enable(finish), .clear(load), .q(error));
+    // The results are taken in the last rank, refused when anything is wrong.
+    converter_outputs outputs (
+        .clk(clk), .load(load), .finish(rank[6]), .wrong(wrong), .j_word(j_rounded), .k_word(k_258),
+        .l_word(l_rounded), .m_word(m_260), .j(j), .k(k), .l(l), .m(m), .error(error)
+    );
 
     // The rank sequencer: a rank is clocked when no digit-by-digit unit is at work.
     rank_sequencer #(.RANKS(7)) rank_sequencer (

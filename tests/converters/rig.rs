@@ -1,7 +1,5 @@
 //! A converter circuit on an engine: data in, a pulse on `start`, coefficients out.
 
-use std::path::Path;
-
 use stepwright::simulation::{Circuit, Net, Run};
 use stepwright::trace::Select;
 
@@ -19,12 +17,11 @@ pub struct Converter {
 impl Converter {
     /// A shipped circuit of US 3,809,868.
     pub fn shipped(name: &str) -> Self {
-        Self::from_file(&format!("circuits/us3809868/{name}.v"))
+        Self::of(&Circuit::shipped(&format!("us3809868/{name}")).expect("a shipped circuit"))
     }
 
-    /// The circuit in a file of this repository.
-    pub fn from_file(path: &str) -> Self {
-        let circuit = Circuit::open(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a circuit file");
+    /// A circuit.
+    pub fn of(circuit: &Circuit) -> Self {
         let outputs = Select::new::<&str>([]).expect("no globs");
         let run = circuit.session().observe(outputs).start().unwrap_or_else(|report| panic!("{report}"));
         Self { done: run.net("done").expect("an output"), run }

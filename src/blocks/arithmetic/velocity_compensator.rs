@@ -22,9 +22,11 @@ static DESCRIPTION: Description = Description {
     summary: "Regulates a rate so that the vector velocity of a moving point stays at a reference.",
     doc: "While `enable` is 1: velocity = magnitude of (x(t) - x(t-1), y(t) - y(t-1)) as in block vector_magnitude; \
           deviation = (2^VELOCITY_BITS - velocity) / 2^VELOCITY_BITS, not below -1; rate(t+1) = rate + rate * deviation / \
-          8, between 2^(RATE_BITS-12) and 2^RATE_BITS - 1. While it is 0 the rate is START_RATE. The step is a part of \
-          the rate, so the loop behaves alike for large and small curves.",
-    source: "US 3,809,868, FIG. 4 and 4A, velocity compensator 102 (chosen: that the deviation is summed up, and the gain)",
+          8, between 2^(RATE_BITS-12) and 2^RATE_BITS - 1. While it is 0 the rate is START_RATE. While `hold` is 1 \
+          the rate stays, because another one moves the point. The step is a part of the rate, so the loop behaves alike \
+          for large and small curves.",
+    source: "US 3,809,868, FIG. 4 and 4A, velocity compensator 102 (chosen: that the deviation is summed up, the \
+             gain, and `hold`)",
     parameters: &[
         Parameter { name: "WIDTH", default: 48, min: 8, max: 49, doc: "bits of x and y" },
         Parameter {
@@ -39,6 +41,7 @@ static DESCRIPTION: Description = Description {
     ],
     ports: &[
         PortDescription::input("enable", Width::BIT, "the point moves: regulate"),
+        PortDescription::input("hold", Width::BIT, "keeps the rate"),
         PortDescription::input("x", Width::Param("WIDTH"), "first coordinate").signed(),
         PortDescription::input("y", Width::Param("WIDTH"), "second coordinate").signed(),
         PortDescription::output("rate", Width::Param("RATE_BITS"), "the rate, without sign"),
@@ -70,8 +73,10 @@ fn build(b: &mut Builder) {
     let next = regulated(b, rate.q, deviation);
     // The first difference spans the tick in which the point had not begun to move.
     let moving = b.delay(enable);
+    let free = b.not(b.input("hold"));
+    let regulating = b.and(moving, free);
     let stopped = b.not(enable);
-    b.load(rate, next, moving, stopped);
+    b.load(rate, next, regulating, stopped);
     b.output("rate", rate.q);
 }
 
@@ -146,5 +151,23 @@ mod tests {
         bench.set("enable", 0);
         bench.tick();
         assert_eq!(bench.get("rate"), 4096);
+    }
+
+    #[test]
+    fn a_held_rate_stays_whatever_the_point_does_and_goes_on_from_there() {
+        let mut bench = Bench::new("velocity_compensator", &[]);
+        bench.set("enable", 1);
+        (0..20).for_each(|_| bench.tick());
+        let rate = bench.get("rate");
+        assert!(rate > 4096, "the point rests, so the rate has risen");
+        bench.set("hold", 1);
+        for x in 0..100 {
+            bench.set("x", x << 30);
+            assert_eq!(bench.get("rate"), rate);
+            bench.tick();
+        }
+        bench.set("hold", 0);
+        (0..2).for_each(|_| bench.tick());
+        assert!(bench.get("rate") > rate, "the point rests again");
     }
 }

@@ -13,7 +13,7 @@ static DESCRIPTION: Description = Description {
     doc: "strobes[0], pi/2: the cosine has arrived at 0 from above; strobes[1], pi: the sine from above; strobes[2], \
           3 pi/2: the cosine from below; strobes[3], 2 pi: the sine from below. Each in the very tick in which the wave \
           is 0 and was not in the tick before.",
-    source: "US 3,809,868, FIG. 4, phase detector 94 (thresholding of the outputs of generators 90C and 92)",
+    source: "US 3,809,868, FIG. 4, phase detector 94 (thresholding of the outputs of generators 90 and 92)",
     parameters: &[Parameter { name: "WIDTH", default: 30, min: 2, max: 64, doc: "bits of the waves" }],
     ports: &[
         PortDescription::input("sine", Width::Param("WIDTH"), "the sine wave").signed(),

@@ -1,0 +1,35 @@
+//! Every numeral of FIG. 3 to 8 of US 3,809,868 is the ending of an instance's or a net's name in its circuit.
+
+use stepwright::simulation::Circuit;
+
+/// The names of all instances and nets of a circuit, those inside its modules included.
+fn names(circuit: &str) -> Vec<String> {
+    let circuit = Circuit::shipped(&format!("us3809868/{circuit}")).expect("the circuit");
+    let netlist = circuit.elaborate(&[]).unwrap_or_else(|report| panic!("{report}"));
+    let cells = netlist.cells.iter().map(|cell| cell.name.clone());
+    cells.chain(netlist.nets.iter().map(|net| net.name.clone())).collect()
+}
+
+fn assert_named(circuit: &str, numerals: impl IntoIterator<Item = u32>) {
+    let names = names(circuit);
+    let missing: Vec<_> = numerals
+        .into_iter()
+        .filter(|numeral| !names.iter().any(|name| name.ends_with(&format!("_{numeral}"))))
+        .collect();
+    assert!(missing.is_empty(), "{circuit} has no {missing:?}");
+}
+
+#[test]
+fn every_numeral_of_figures_3_and_5_to_8_is_a_name() {
+    assert_named("fig03_case1", (50..=78).step_by(2));
+    assert_named("fig05_case2", (102..=142).step_by(2));
+    let taken_over = [110, 114, 116, 118, 120, 122, 124, 126, 132, 134, 136, 138, 140];
+    assert_named("fig06_case3", taken_over.into_iter().chain((144..=160).step_by(2)));
+    assert_named("fig07_case4", (162..=234).step_by(2));
+    assert_named("fig08_case5", (236..=260).step_by(2));
+}
+
+#[test]
+fn every_numeral_of_figures_4_and_4a_inside_the_generator_is_a_name() {
+    assert_named("fig04_function_generator", (80..=88).step_by(2).chain(89..=103).chain([105, 107, 109, 111]));
+}
