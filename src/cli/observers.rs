@@ -110,11 +110,11 @@ fn rows(arguments: &RunArguments, design: &Design) -> Rows {
     if columns.is_empty() {
         columns = design.inputs().chain(design.outputs()).map(|port| port.name.clone()).collect();
     }
-    let mut when = arguments.when.clone();
-    if when.is_empty() {
-        when = said.iter().flat_map(|table| &table.when).map(|net| net.name.clone()).collect();
+    if !arguments.when.is_empty() {
+        return Rows::new(columns, arguments.when.clone());
     }
-    Rows::new(columns, when)
+    let when = said.iter().flat_map(|table| &table.when).map(|net| net.name.clone()).collect();
+    Rows::new(columns, when).after(said.map_or(0, |table| table.after))
 }
 
 fn path_of(plot: &Plot) -> Path {

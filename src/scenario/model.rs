@@ -91,6 +91,8 @@ pub struct Table {
     pub when: Vec<Named<()>>,
     /// Signals, in order; empty for all outputs.
     pub columns: Vec<Named<()>>,
+    /// How many ticks after that a row is taken: when the pulse has landed.
+    pub after: u64,
 }
 
 /// A path to draw.

@@ -216,9 +216,10 @@ impl Reader {
     fn shown_table(&mut self, value: &Value<'_>) -> Option<Table> {
         let mut shown = Table::default();
         let table = self.table(value)?;
-        self.keys(table, &["when", "columns"], |reader, key, value| match key {
+        self.keys(table, &["when", "columns", "after"], |reader, key, value| match key {
             "when" if value.get_ref().is_str() => shown.when.extend(reader.one_name(value)),
             "when" => shown.when = reader.names(value),
+            "after" => shown.after = reader.ticks(value).unwrap_or_default(),
             _ => shown.columns = reader.names(value),
         });
         Some(shown)
@@ -294,6 +295,7 @@ signals = ["step_*"]
 [table]
 when = "busy"
 columns = ["f"]
+after = 2
 [plot]
 x = "x"
 y = { up = 1, half_down = -0.5 }
@@ -320,6 +322,7 @@ pulses = { step_x_36 = 5 }
         assert!(!net.high && net.net == "busy");
         assert_eq!(scenario.expect.pulses[0].value, 5);
         assert_eq!(scenario.expect.ticks, Some(7));
+        assert_eq!(scenario.table.expect("a table").after, 2);
         assert_eq!(scenario.plot.expect("a plot").names().collect::<Vec<_>>(), ["x", "up", "half_down"]);
     }
 

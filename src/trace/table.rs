@@ -1,5 +1,6 @@
 //! Tables: chosen columns, sampled at the ticks at which a net is high, as text.
 
+use std::collections::VecDeque;
 use std::fmt;
 
 use super::{Frame, Observer};
@@ -17,13 +18,22 @@ const MOST_ROWS: usize = 1 << 20;
 pub struct Rows {
     columns: Vec<String>,
     when: Vec<String>,
+    after: u64,
+    /// Rows that are due in ticks to come.
+    due: VecDeque<u64>,
 }
 
 impl Rows {
     /// Rows of `columns`, names below the top module, at the ticks in which one of `when` is not 0, or all without any.
     #[must_use]
     pub fn new(columns: Vec<String>, when: Vec<String>) -> Self {
-        Self { columns, when }
+        Self { columns, when, after: 0, due: VecDeque::new() }
+    }
+
+    /// The same rows so many ticks later: what a pulse does shows only when it has landed.
+    #[must_use]
+    pub fn after(self, ticks: u64) -> Self {
+        Self { after: ticks, ..self }
     }
 
     fn names(&self) -> impl Iterator<Item = &String> {
@@ -52,9 +62,12 @@ impl Rows {
     }
 
     /// The words of the columns, if the tick is a row.
-    pub(super) fn row<'f>(&self, frame: Frame<'f>) -> Option<&'f [u64]> {
+    pub(super) fn row<'f>(&mut self, frame: Frame<'f>) -> Option<&'f [u64]> {
         let (columns, when) = frame.words.split_at(self.columns.len());
-        (when.is_empty() || when.iter().any(|&word| word != 0)).then_some(columns)
+        if when.is_empty() || when.iter().any(|&word| word != 0) {
+            self.due.push_back(frame.tick.saturating_add(self.after));
+        }
+        self.due.pop_front_if(|due| *due <= frame.tick).map(|_| columns)
     }
 }
 
@@ -201,9 +214,17 @@ mod tests {
         }
     }
 
-    fn table(signals: &[Signal], columns: &[&str], when: &[&str], words: &[(u64, &[u64])]) -> Result<String, Report> {
+    fn rows(columns: &[&str], when: &[&str]) -> Rows {
         let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
-        let mut table = Table::new(Rows::new(names(columns), names(when)));
+        Rows::new(names(columns), names(when))
+    }
+
+    fn table(signals: &[Signal], columns: &[&str], when: &[&str], words: &[(u64, &[u64])]) -> Result<String, Report> {
+        table_of(rows(columns, when), signals, words)
+    }
+
+    fn table_of(rows: Rows, signals: &[Signal], words: &[(u64, &[u64])]) -> Result<String, Report> {
+        let mut table = Table::new(rows);
         table.begin(signals)?;
         for (tick, words) in words {
             table.tick(Frame { tick: *tick, words, before: None })?;
@@ -238,5 +259,14 @@ mod tests {
         let rows: [(u64, &[u64]); 3] = [(0, &[0, 1, 1]), (1, &[7, 0, 0]), (2, &[0xFFEB, 1, 1])];
         let text = table(&signals, &["f", "step"], &["step"], &rows).unwrap();
         assert_eq!(text, "tick       f  step\n   0   0.000     1\n   2  -2.625     1\n");
+    }
+
+    #[test]
+    fn rows_can_show_what_a_pulse_has_done() {
+        let signals = [signal("n", 8, false, None), signal("step", 1, false, None)];
+        let ticks: [(u64, &[u64]); 6] =
+            [(0, &[0, 1]), (1, &[0, 1]), (2, &[1, 0]), (3, &[2, 0]), (4, &[2, 1]), (5, &[3, 0])];
+        let text = table_of(rows(&["n"], &["step"]).after(2), &signals, &ticks).unwrap();
+        assert_eq!(text, "tick  n\n   2  1\n   3  2\n");
     }
 }
