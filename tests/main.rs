@@ -4,6 +4,8 @@
 mod cli;
 /// The data converters of US 3,809,868.
 mod converters;
+/// The table of diagnostics.
+mod diagnostics;
 /// Engines agree with each other and with the meaning of the ops.
 mod engines;
 /// The longest runs of the shipped scenarios.

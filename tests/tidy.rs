@@ -1,5 +1,6 @@
 //! House rules that hold for every source file.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -57,33 +58,153 @@ fn room_of(path: &Path) -> Option<String> {
         .then(|| below.components().next().expect("a room").as_os_str().to_string_lossy().into())
 }
 
-/// The rooms named after `crate::` in code that is not a test or a comment.
-fn imported(text: &str) -> Vec<String> {
-    let code = text.split("#[cfg(test)]").next().expect("a first part");
-    let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
-    lines
-        .flat_map(|line| line.split("crate::").skip(1))
-        .map(|rest| rest.chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect::<String>())
-        .filter(|name| MAY_IMPORT.iter().any(|(room, _)| room == name))
-        .collect()
+/// Code that is not a test or a comment.
+fn code(text: &str) -> String {
+    let end = ["#[cfg(test)]", "#[cfg(all(test,"].iter().filter_map(|start| text.find(start)).min();
+    text[..end.unwrap_or(text.len())]
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"))
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+/// A module of the crate, as its names from the root on.
+type Module = Vec<String>;
+
+fn module_of(path: &Path) -> Module {
+    let below = path.strip_prefix(root().join("src")).expect("below src").with_extension("");
+    let names = below.iter().map(|name| name.to_string_lossy().into_owned());
+    names.filter(|name| !["mod", "lib", "main"].contains(&name.as_str())).collect()
+}
+
+/// Every path in `code` that starts at the crate or above the module, grouped ones written out.
+fn paths(code: &str) -> Vec<Vec<String>> {
+    let mut found = Vec::new();
+    for start in ["crate::", "super::"] {
+        for (at, _) in code.match_indices(start) {
+            let before = code[..at].chars().next_back();
+            // What follows `::` belongs to a path that has been seen from its start.
+            if !before.is_some_and(|c| c.is_alphanumeric() || "_:$".contains(c)) {
+                tree(&code[at..], &mut Vec::new(), &mut found);
+            }
+        }
+    }
+    found
+}
+
+/// Writes out the use tree that `text` begins with, below `prefix`; returns what comes after it.
+fn tree<'a>(text: &'a str, prefix: &mut Vec<String>, found: &mut Vec<Vec<String>>) -> &'a str {
+    let depth = prefix.len();
+    let mut rest = text.trim_start();
+    loop {
+        let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+        prefix.push(rest[..end].to_owned());
+        rest = &rest[end..];
+        let Some(next) = rest.strip_prefix("::") else { break };
+        rest = next;
+        if let Some(mut inside) = rest.strip_prefix('{') {
+            while !inside.trim_start().starts_with('}') && !inside.trim().is_empty() {
+                inside = tree(inside, prefix, found).trim_start();
+                // An alias, or the comma before the next one.
+                inside = inside.find([',', '}']).map_or("", |end| inside[end..].trim_start_matches(','));
+            }
+            prefix.truncate(depth);
+            return inside.trim_start().strip_prefix('}').unwrap_or("");
+        }
+    }
+    found.push(prefix.clone());
+    prefix.truncate(depth);
+    rest
+}
+
+/// The modules, of those that `exist`, whose names the code of `module` uses.
+fn imports(module: &Module, text: &str, exist: &BTreeSet<Module>) -> BTreeSet<Module> {
+    let resolve = |path: Vec<String>| {
+        let mut target = if path[0] == "crate" { Module::new() } else { module.clone() };
+        for name in path {
+            match name.as_str() {
+                "crate" | "self" => {}
+                "super" => drop(target.pop()),
+                _ => {
+                    target.push(name);
+                    if !exist.contains(&target) {
+                        target.pop();
+                        break;
+                    }
+                }
+            }
+        }
+        target
+    };
+    paths(&code(text)).into_iter().map(resolve).collect()
+}
+
+/// What each module imports.
+fn all_imports() -> BTreeMap<Module, BTreeSet<Module>> {
+    let sources = sources();
+    let exist: BTreeSet<_> = sources.iter().map(|(path, _)| module_of(path)).collect();
+    let sources = sources.iter().filter(|(path, _)| !is_test(path));
+    sources.map(|(path, text)| (module_of(path), imports(&module_of(path), text, &exist))).collect()
+}
+
+#[test]
+fn imports_are_seen_however_they_are_written() {
+    let exist = [&["a"][..], &["a", "b"], &["a", "c"], &["d"], &["d", "e"]];
+    let exist: BTreeSet<Module> =
+        exist.iter().map(|names| names.iter().map(|name| (*name).to_owned()).collect()).collect();
+    let seen = |text: &str| -> Vec<String> {
+        imports(&vec!["a".to_owned(), "b".to_owned()], text, &exist).iter().map(|module| module.join("::")).collect()
+    };
+    for (text, modules) in [
+        ("use crate::d::X;", &["d"][..]),
+        ("use crate::{a::c::Y, d::{self, e::{X, Z as W}}, other};", &["", "a::c", "d", "d::e"]),
+        ("use super::{\n    c,\n    Z,\n};", &["a", "a::c"]),
+        ("fn f(x: super::super::d::X) -> crate::d::e::Y {}", &["d", "d::e"]),
+        ("// use crate::d;\nuse std::crate_::d; #[cfg(test)] use crate::d;", &[]),
+    ] {
+        assert_eq!(seen(text), modules, "{text}");
+    }
 }
 
 #[test]
 fn rooms_import_only_what_the_design_allows() {
     let mut wrong = Vec::new();
-    for (path, text) in sources() {
-        let Some(room) = room_of(&path).filter(|_| !is_test(&path)) else { continue };
-        let Some((_, allowed)) = MAY_IMPORT.iter().find(|(known, _)| *known == room) else {
-            wrong.push(format!("{}: the room `{room}` is not in the table", path.display()));
+    let is_room = |name: &String| root().join("src").join(name).is_dir();
+    for (module, imported) in all_imports() {
+        let Some(room) = module.first().filter(|name| is_room(name)) else { continue };
+        let Some((_, allowed)) = MAY_IMPORT.iter().find(|(known, _)| known == room) else {
+            wrong.push(format!("{}: the room `{room}` is not in the table", module.join("::")));
             continue;
         };
-        for other in imported(&text) {
+        for other in imported.iter().filter_map(|other| other.first()).filter(|other| is_room(other)) {
             if other != room && allowed.is_some_and(|allowed| !allowed.contains(&other.as_str())) {
-                wrong.push(format!("{}: `{room}` may not import `{other}`", path.display()));
+                wrong.push(format!("{}: may not import `{other}`", module.join("::")));
             }
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A module and those inside it are one: what is left are imports between neighbours.
+fn is_around(one: &Module, other: &Module) -> bool {
+    one.starts_with(other) || other.starts_with(one)
+}
+
+#[test]
+fn no_modules_import_each_other_in_a_circle() {
+    let mut open = all_imports();
+    // One file lists the arguments of all commands, and each command takes its own from there.
+    open.retain(|module, _| module.first().is_none_or(|room| room != "cli"));
+    for (module, imported) in &mut open {
+        imported.retain(|other| !is_around(module, other));
+    }
+    // A module that imports none of those left stands in no circle.
+    while let Some(module) = open.iter().find(|(_, imported)| imported.is_empty()).map(|(module, _)| module.clone()) {
+        open.remove(&module);
+        open.values_mut().for_each(|imported| _ = imported.remove(&module));
+    }
+    let circles: Vec<_> = open.iter().map(|(module, imported)| format!("{module:?} imports {imported:?}")).collect();
+    assert!(circles.is_empty(), "{}", circles.join("\n"));
 }
 
 #[test]
@@ -99,10 +220,8 @@ fn every_file_opens_by_saying_what_it_is() {
 #[test]
 fn only_the_command_line_prints() {
     for (path, text) in sources() {
-        let code = text.split("#[cfg(test)]").next().expect("a first part");
-        let prints = ["println!", "eprintln!", "print!(", "dbg!"]
-            .iter()
-            .any(|call| code.lines().any(|line| line.contains(call) && !line.trim_start().starts_with("//")));
+        let code = code(&text);
+        let prints = ["println!", "eprintln!", "print!(", "dbg!"].iter().any(|call| code.contains(call));
         let allowed = room_of(&path).as_deref() == Some("cli") || is_test(&path);
         assert!(!prints || allowed, "{} prints", path.display());
     }

@@ -29,6 +29,7 @@
 //   sign of zero is 0. MINUS_ZERO = 0 follows the text; 1 is the end-around carry to the letter, and takes some tied
 //   steps in the other order.
 // - A start pulse while `busy` is high disturbs the frame under way.
+(* MINUS_ZERO_min = 0, MINUS_ZERO_max = 1 *)
 module interpolator #(
     parameter WIDTH = 12,       // bits of a projection
     parameter CLOCK_PERIOD = 4, // ticks from one strobe of generator 15 to the next (chosen; the patent has no times)

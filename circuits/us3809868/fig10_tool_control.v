@@ -21,6 +21,7 @@
 // share one interval, held by regulator_341_342; that 343 and 344 also act in the second half of the clock, because
 // otherwise the pulses of multiplier 327 would escape them. Erratum followed: the pulses "from multipliers 325 and
 // 329" are those of 325 and 327.
+(* MODE_min = 0, MODE_max = 4, GUARD_min = 0, GUARD_max = 3 *)
 module fig10_tool_control #(
     parameter WIDTH = 12,         // as in incremental_generator
     parameter ENTRIES = 128,

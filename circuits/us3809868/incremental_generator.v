@@ -34,6 +34,7 @@
 // multiplier, 329 the clock; "sine function" for the rate of 274 is a slip, the rate of its pulses is a cosine; the
 // count-up table is lost in print and restored from the signs of d(cos) and d(sin). Converters 322 and 324, display
 // 326 and the incremental device 328 are outside.
+(* GUARD_min = 0, GUARD_max = 3 *)
 module incremental_generator #(
     parameter WIDTH = 12,       // bits of multipliers 262 to 270
     parameter ENTRIES = 128,    // words of tables 333 and 334, a power of two

@@ -36,7 +36,7 @@ impl Span {
     }
 }
 
-/// One error. Codes never change their meaning; the first letter tells the room
+/// One error. Codes never change their meaning (`docs/diagnostics.md` lists them); the first letter tells the room
 /// (`N` netlist, `S` scenario, `W` waveform, `C` command line, `X` export, `E` engine).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Diagnostic {

@@ -1,12 +1,13 @@
-//! The contents of a ROM or a RAM, held as bits.
+//! The contents of a ROM or a RAM.
 
-use bitvec::{field::BitField, order::Lsb0, vec::BitVec};
+use std::sync::Arc;
 
-/// `depth` words of `width` bits each (1 to 64), word 0 first, least significant bit first.
+/// `depth` words of `width` bits each (1 to 64), word 0 first. Clones share the words, so that a thousand instances of
+/// one table cost as much memory as one.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct MemoryImage {
     width: u32,
-    bits: BitVec<u64, Lsb0>,
+    words: Arc<[u64]>,
 }
 
 impl MemoryImage {
@@ -16,14 +17,10 @@ impl MemoryImage {
     /// When a word has a bit above `width`: a block's table is wrong, not the user's input.
     #[must_use]
     pub fn from_words(width: u32, words: impl IntoIterator<Item = u64>) -> Self {
-        let mut bits = BitVec::new();
-        for word in words {
-            assert_eq!(word & !super::word::mask(width), 0, "the word {word} is wider than {width} bits");
-            let start = bits.len();
-            bits.resize(start + width as usize, false);
-            bits[start..].store_le(word);
-        }
-        Self { width, bits }
+        let words: Arc<[u64]> = words.into_iter().collect();
+        let wide = words.iter().find(|word| **word & !super::word::mask(width) != 0);
+        assert_eq!(wide, None, "a word is wider than {width} bits");
+        Self { width, words }
     }
 
     /// Word width in bits.
@@ -35,12 +32,13 @@ impl MemoryImage {
     /// Number of words.
     #[must_use]
     pub fn depth(&self) -> usize {
-        self.bits.len() / self.width as usize
+        self.words.len()
     }
 
     /// The words in order of address.
-    pub fn words(&self) -> impl Iterator<Item = u64> + '_ {
-        self.bits.chunks_exact(self.width as usize).map(|word| word.load_le::<u64>())
+    #[must_use]
+    pub fn words(&self) -> &[u64] {
+        &self.words
     }
 }
 
@@ -55,7 +53,13 @@ mod tests {
                 (0..70).map(|i: u64| i.wrapping_mul(0x9E37_79B9_7F4A_7C15) & super::super::word::mask(width)).collect();
             let image = MemoryImage::from_words(width, words.iter().copied());
             assert_eq!(image.depth(), 70);
-            assert_eq!(image.words().collect::<Vec<_>>(), words);
+            assert_eq!(image.words(), words);
         }
+    }
+
+    #[test]
+    fn clones_share_their_words() {
+        let image = MemoryImage::from_words(8, [1, 2, 3]);
+        assert!(std::ptr::eq(image.clone().words(), image.words()));
     }
 }

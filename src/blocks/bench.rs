@@ -26,7 +26,8 @@ impl Bench {
             assert!((p.min..=p.max).contains(&values.get(p.name)), "{} is out of range", p.name);
         }
         block.check(&values).expect("accepted parameters");
-        let program = Arc::new(program_of(block.description(), Builder::build(block, &values)));
+        let body = Builder::build(block, &values).expect("a body");
+        let program = Arc::new(program_of(block.description(), body));
         Self { description: block.description(), engine: Interpreter::new(Arc::clone(&program)), program }
     }
 
@@ -92,7 +93,7 @@ fn program_of(description: &Description, body: Body) -> Program {
     };
     compile_graph(Program {
         owner: vec![OwnerId::new(0); body.graph.nodes.len()],
-        owners: vec![Owner { parent: None, module: description.name.to_owned(), parameters: Vec::new() }],
+        owners: vec![Owner { parent: None, module: description.name.into() }],
         inputs: ports(Direction::Input).zip(&inputs).map(|(p, &value)| port(p, value)).collect(),
         outputs: ports(Direction::Output).zip(&body.outputs).map(|(p, &value)| port(p, value)).collect(),
         pulses: Vec::new(),

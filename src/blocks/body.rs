@@ -26,7 +26,36 @@ pub struct InnerSignal {
     pub value: ValueId,
 }
 
+/// What one copy of a body takes when a circuit is written out.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Cost {
+    /// Ops.
+    pub ops: u64,
+    /// Bits of its registers.
+    pub register_bits: u64,
+    /// Words of its writable memories. Copies share the words of read-only ones.
+    pub ram_words: u64,
+}
+
 impl Body {
+    /// What one copy takes.
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        Cost {
+            ops: self.graph.nodes.len() as u64,
+            register_bits: self.graph.registers.iter().map(|register| u64::from(register.width)).sum(),
+            ram_words: self.graph.rams.iter().map(|ram| ram.image.depth() as u64).sum(),
+        }
+    }
+
+    /// Words of the images that all copies share.
+    #[must_use]
+    pub fn image_words(&self) -> u64 {
+        let roms = self.graph.roms.iter().map(|rom| &rom.image);
+        let images = roms.chain(self.graph.rams.iter().map(|ram| &ram.image));
+        images.map(|image| image.depth() as u64).sum()
+    }
+
     /// For each output, which inputs it depends on within the same tick. Registers break the dependency: only
     /// ops are followed, so this needs no knowledge of any block by name.
     #[must_use]

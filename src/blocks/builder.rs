@@ -1,5 +1,7 @@
 //! The builder: how a block puts itself together out of ops and other blocks.
 
+use std::cmp::Ordering;
+
 use super::body::{Body, InnerSignal};
 use super::describe::{Description, Direction, Parameters};
 use super::{Block, find};
@@ -17,11 +19,13 @@ pub struct Held {
 
 /// Builds one block for one set of parameters.
 ///
-/// Methods that make ops check widths and panic on a mismatch: that is a mistake in a block's file, and the
-/// registry tests build every block at the ends of its parameters' ranges to find it.
+/// What cannot be (a word beyond 64 bits, operands of unequal width) is noted, once, and stood in for by a zero, so
+/// that a block's file reads as if nothing could fail; [`Builder::build`] then tells why there is no body.
 #[derive(Debug)]
 pub struct Builder {
     description: &'static Description,
+    /// The first thing that cannot be.
+    failure: Option<String>,
     parameters: Parameters,
     body: Body,
     outputs: Vec<Option<ValueId>>,
@@ -29,31 +33,53 @@ pub struct Builder {
 }
 
 impl Builder {
-    /// Builds `block`; `parameters` must be in range.
+    /// Builds `block`; `parameters` must be in range and accepted by its check.
     ///
-    /// # Panics
-    /// When the block's file contradicts itself.
-    #[must_use]
-    pub fn build(block: &Block, parameters: &Parameters) -> Body {
+    /// # Errors
+    /// What stands in the way, for a message that names the block.
+    pub fn build(block: &Block, parameters: &Parameters) -> Result<Body, String> {
         let description = block.description();
         let mut b = Builder {
             description,
+            failure: None,
             parameters: parameters.clone(),
             body: Body::default(),
             outputs: vec![None; description.ports_of(Direction::Output).count()],
             scope: Vec::new(),
         };
         for (i, port) in description.ports_of(Direction::Input).enumerate() {
-            let width = port_width(port.width.bits(parameters), description.name, port.name);
+            let width = b.fitting(port.width.bits(parameters));
             b.body.inputs.push(width);
             b.body.graph.push(Op::Input(i as u32), width);
         }
         block.build(&mut b);
-        let outputs = b.outputs.iter().zip(description.ports_of(Direction::Output)).map(|(value, port)| {
-            value.unwrap_or_else(|| panic!("{}: output {} is not built", description.name, port.name))
-        });
-        b.body.outputs = outputs.collect();
-        b.body
+        for (value, port) in b.outputs.iter().zip(description.ports_of(Direction::Output)) {
+            match value {
+                Some(value) => b.body.outputs.push(*value),
+                None => return Err(b.failure.unwrap_or_else(|| format!("its output `{}` gets no value", port.name))),
+            }
+        }
+        b.failure.map_or(Ok(b.body), Err)
+    }
+
+    /// Notes that something cannot be.
+    fn fail(&mut self, why: impl Into<String>) {
+        self.failure.get_or_insert_with(|| why.into());
+    }
+
+    /// A width that a word can have: this one, or the nearest after noting that it cannot be.
+    fn fitting(&mut self, bits: i64) -> u32 {
+        let nearest = bits.clamp(1, MAX_WIDTH.into());
+        if nearest != bits {
+            self.fail(format!("a word of {bits} bits is needed, and 1 to {MAX_WIDTH} are possible"));
+        }
+        nearest as u32
+    }
+
+    /// A zero of as nearly so many bits as can be, for what cannot be built.
+    fn stand_in(&mut self, bits: i64) -> ValueId {
+        let width = self.fitting(bits);
+        self.body.graph.push(Op::Const(0), width)
     }
 
     /// A parameter's value.
@@ -62,10 +88,10 @@ impl Builder {
         self.parameters.get(name)
     }
 
-    /// A parameter's value as a width or a count.
+    /// A parameter's value as a width or a count; its range holds such values only.
     ///
     /// # Panics
-    /// When it is negative, which the parameter's range must exclude.
+    /// When the range of the block's own parameter holds others, which the registry tests find.
     #[must_use]
     pub fn count(&self, name: &str) -> u32 {
         u32::try_from(self.param(name)).expect("a parameter used as a count is not negative")
@@ -74,7 +100,7 @@ impl Builder {
     /// The value of an input port.
     ///
     /// # Panics
-    /// When the description has no such input.
+    /// When the block's own description has no such input, which the registry tests find.
     #[must_use]
     pub fn input(&self, name: &str) -> ValueId {
         let place = self.description.ports_of(Direction::Input).position(|port| port.name == name);
@@ -89,12 +115,14 @@ impl Builder {
     /// Gives an output port its value.
     ///
     /// # Panics
-    /// When the description has no such output, or one of another width.
+    /// When the block's own description has no such output, which the registry tests find.
     pub fn output(&mut self, name: &str, value: ValueId) {
         let mut ports = self.description.ports_of(Direction::Output).enumerate();
         let (i, port) = ports.find(|(_, port)| port.name == name).unwrap_or_else(|| panic!("no output {name}"));
-        let width = port.width.bits(&self.parameters);
-        assert_eq!(i64::from(self.width(value)), width, "{}: width of output {name}", self.description.name);
+        let (given, wanted) = (self.width(value), port.width.bits(&self.parameters));
+        if i64::from(given) != wanted {
+            self.fail(format!("its output `{name}` of {wanted} bits gets {given}"));
+        }
         self.outputs[i] = Some(value);
     }
 
@@ -125,7 +153,7 @@ impl Builder {
     /// Places another block inside this one, as a sub-scope; returns its outputs in the order of its ports.
     ///
     /// # Panics
-    /// When there is no such block, parameter or input, a parameter is out of range, or an input is left open.
+    /// When there is no such block, parameter or input, or an input is left open, which the registry tests find.
     pub fn block(
         &mut self,
         instance: &str,
@@ -139,7 +167,10 @@ impl Builder {
         for (name, value) in parameters {
             assert!(values.set(name, *value), "{}: no parameter {name}", description.name);
         }
-        let inner = Builder::build(block, &values);
+        let Some(inner) = self.inner(block, &values) else {
+            let outputs = description.ports_of(Direction::Output).map(|port| port.width.bits(&values));
+            return outputs.map(|bits| self.stand_in(bits)).collect();
+        };
         let connected: Vec<ValueId> = description
             .ports_of(Direction::Input)
             .map(|port| {
@@ -147,8 +178,11 @@ impl Builder {
                 found.unwrap_or_else(|| panic!("{}: input {} is open", description.name, port.name)).1
             })
             .collect();
-        for (value, width) in connected.iter().zip(&inner.inputs) {
-            assert_eq!(self.width(*value), *width, "{}: width of an input", description.name);
+        for (&value, &wanted) in connected.iter().zip(&inner.inputs) {
+            let given = self.width(value);
+            if given != wanted {
+                self.fail(format!("`{}` inside it gets {given} bits for an input of {wanted}", description.name));
+            }
         }
         let place = self.body.graph.append(&inner.graph, &connected);
         self.scope(instance, |b| {
@@ -161,6 +195,18 @@ impl Builder {
         inner.outputs.iter().map(|&output| place(output)).collect()
     }
 
+    /// The body of a block inside this one; `None` after noting why there is none.
+    fn inner(&mut self, block: &Block, parameters: &Parameters) -> Option<Body> {
+        let description = block.description();
+        let outside = description.parameters.iter().find(|p| !(p.min..=p.max).contains(&parameters.get(p.name)));
+        let accepted = match outside {
+            Some(p) => Err(format!("{} is {}, but is {} to {}", p.name, parameters.get(p.name), p.min, p.max)),
+            None => block.check(parameters),
+        };
+        let built = accepted.and_then(|()| Builder::build(block, parameters));
+        built.map_err(|why| self.fail(format!("`{}` inside it: {why}", description.name))).ok()
+    }
+
     /// The width of a value in bits.
     #[must_use]
     pub fn width(&self, value: ValueId) -> u32 {
@@ -168,18 +214,29 @@ impl Builder {
     }
 
     fn push(&mut self, op: Op, width: u32) -> ValueId {
-        assert!((1..=MAX_WIDTH).contains(&width), "{}: a word of {width} bits", self.description.name);
+        let width = self.fitting(width.into());
         self.body.graph.push(op, width)
     }
 
-    fn same_width(&self, a: ValueId, b: ValueId) -> u32 {
-        assert_eq!(self.width(a), self.width(b), "{}: operands of unequal width", self.description.name);
-        self.width(a)
+    fn same_width(&mut self, a: ValueId, b: ValueId) -> u32 {
+        let (width, other) = (self.width(a), self.width(b));
+        if width != other {
+            self.fail(format!("operands of {width} and {other} bits meet"));
+        }
+        width
     }
 
-    fn bit_wide(&self, value: ValueId) -> ValueId {
-        assert_eq!(self.width(value), 1, "{}: one bit wanted", self.description.name);
-        value
+    fn bit_wide(&mut self, value: ValueId) {
+        let width = self.width(value);
+        if width != 1 {
+            self.fail(format!("{width} bits stand where one is wanted"));
+        }
+    }
+
+    /// An op on two operands of one width, which is the result's.
+    fn pair(&mut self, op: Op, a: ValueId, b: ValueId) -> ValueId {
+        let width = self.same_width(a, b);
+        self.push(op, width)
     }
 
     /// A constant, cut to `width` bits.
@@ -199,17 +256,17 @@ impl Builder {
 
     /// Bitwise and.
     pub fn and(&mut self, a: ValueId, b: ValueId) -> ValueId {
-        self.push(Op::And(a, b), self.same_width(a, b))
+        self.pair(Op::And(a, b), a, b)
     }
 
     /// Bitwise or.
     pub fn or(&mut self, a: ValueId, b: ValueId) -> ValueId {
-        self.push(Op::Or(a, b), self.same_width(a, b))
+        self.pair(Op::Or(a, b), a, b)
     }
 
     /// Bitwise exclusive or.
     pub fn xor(&mut self, a: ValueId, b: ValueId) -> ValueId {
-        self.push(Op::Xor(a, b), self.same_width(a, b))
+        self.pair(Op::Xor(a, b), a, b)
     }
 
     /// The and of one-bit values; 1 for none.
@@ -230,17 +287,17 @@ impl Builder {
 
     /// Sum modulo 2^width.
     pub fn add(&mut self, a: ValueId, b: ValueId) -> ValueId {
-        self.push(Op::Add(a, b), self.same_width(a, b))
+        self.pair(Op::Add(a, b), a, b)
     }
 
     /// Difference modulo 2^width.
     pub fn sub(&mut self, a: ValueId, b: ValueId) -> ValueId {
-        self.push(Op::Sub(a, b), self.same_width(a, b))
+        self.pair(Op::Sub(a, b), a, b)
     }
 
     /// Product modulo 2^width.
     pub fn mul(&mut self, a: ValueId, b: ValueId) -> ValueId {
-        self.push(Op::Mul(a, b), self.same_width(a, b))
+        self.pair(Op::Mul(a, b), a, b)
     }
 
     /// Two's-complement negation.
@@ -290,8 +347,8 @@ impl Builder {
 
     /// `when` (one bit) 1: `then`; 0: `otherwise`.
     pub fn mux(&mut self, when: ValueId, then: ValueId, otherwise: ValueId) -> ValueId {
-        let when = self.bit_wide(when);
-        self.push(Op::Mux(when, then, otherwise), self.same_width(then, otherwise))
+        self.bit_wide(when);
+        self.pair(Op::Mux(when, then, otherwise), then, otherwise)
     }
 
     /// The word when `open` (one bit) is 1, otherwise 0.
@@ -302,8 +359,12 @@ impl Builder {
 
     /// The bits `low .. low + width`.
     pub fn slice(&mut self, a: ValueId, low: u32, width: u32) -> ValueId {
-        assert!(low + width <= self.width(a), "{}: slice beyond the word", self.description.name);
-        if width == self.width(a) { a } else { self.push(Op::Slice(a, low), width) }
+        let whole = self.width(a);
+        if u64::from(low) + u64::from(width) > whole.into() {
+            self.fail(format!("{width} bits from bit {low} on are wanted of a word of {whole}"));
+            return self.stand_in(width.into());
+        }
+        if width == whole { a } else { self.push(Op::Slice(a, low), width) }
     }
 
     /// One bit of a word.
@@ -324,7 +385,7 @@ impl Builder {
     /// All parts as one word, the first part lowest.
     ///
     /// # Panics
-    /// When there is no part.
+    /// When there is no part, which the registry tests find.
     pub fn join(&mut self, parts: &[ValueId]) -> ValueId {
         let [first, rest @ ..] = parts else { panic!("a word of no parts") };
         rest.iter().fold(*first, |low, &high| self.concat(high, low))
@@ -332,14 +393,23 @@ impl Builder {
 
     /// Widened with zeros to `width` bits; unchanged when it has them already.
     pub fn zero_extend(&mut self, a: ValueId, width: u32) -> ValueId {
-        assert!(width >= self.width(a), "{}: extension to fewer bits", self.description.name);
-        if width == self.width(a) { a } else { self.push(Op::ZeroExtend(a), width) }
+        self.extend(Op::ZeroExtend(a), a, width)
     }
 
     /// Widened with the sign to `width` bits; unchanged when it has them already.
     pub fn sign_extend(&mut self, a: ValueId, width: u32) -> ValueId {
-        assert!(width >= self.width(a), "{}: extension to fewer bits", self.description.name);
-        if width == self.width(a) { a } else { self.push(Op::SignExtend(a), width) }
+        self.extend(Op::SignExtend(a), a, width)
+    }
+
+    fn extend(&mut self, op: Op, a: ValueId, width: u32) -> ValueId {
+        match self.width(a).cmp(&width) {
+            Ordering::Less => self.push(op, width),
+            Ordering::Equal => a,
+            Ordering::Greater => {
+                self.fail(format!("a word of {} bits is to be widened to {width}", self.width(a)));
+                self.stand_in(width.into())
+            }
+        }
     }
 
     /// Whether all bits are 1.
@@ -369,7 +439,9 @@ impl Builder {
     pub fn ram(&mut self, image: MemoryImage, write: MemoryWrite, read: ValueId) -> ValueId {
         self.bit_wide(write.enable);
         let width = image.width();
-        assert_eq!(self.width(write.data), width, "{}: width of the data", self.description.name);
+        if self.width(write.data) != width {
+            self.fail(format!("a memory of {width} bits is written {} bits", self.width(write.data)));
+        }
         self.body.graph.rams.push(Ram { image, write });
         let ram = RamId::new(self.body.graph.rams.len() - 1);
         self.push(Op::RamRead(ram, read), width)
@@ -378,6 +450,7 @@ impl Builder {
     /// Declares a register with its power-on content, cut to `width` bits.
     pub fn hold(&mut self, width: u32, init: u64) -> Held {
         let id = RegisterId::new(self.body.graph.registers.len());
+        let width = self.fitting(width.into());
         let q = self.push(Op::Register(id), width);
         self.body.graph.registers.push(Register {
             width,
@@ -412,9 +485,4 @@ impl Builder {
         let held = self.hold(self.width(a), 0);
         self.load(held, a, None, None)
     }
-}
-
-fn port_width(bits: i64, block: &str, port: &str) -> u32 {
-    let width = u32::try_from(bits).ok().filter(|w| (1..=MAX_WIDTH).contains(w));
-    width.unwrap_or_else(|| panic!("{block}: port {port} has {bits} bits"))
 }

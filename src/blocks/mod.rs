@@ -16,7 +16,7 @@ pub mod routing;
 pub mod timing;
 
 pub use block::Block;
-pub use body::{Body, InnerSignal};
+pub use body::{Body, Cost, InnerSignal};
 pub use builder::{Builder, Held};
 pub use describe::{Description, Direction, Kind, Parameter, Parameters, PortDescription, Width};
 pub use gate::Gate;

@@ -1,6 +1,7 @@
 //! Flatten: every cell's ops into one graph, connections resolved bit by bit to who drives them.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::{Observe, Owner, OwnerId, Program};
 use crate::base::{Graph, Op, Port, Signal, ValueId};
@@ -27,8 +28,7 @@ pub(super) fn flatten(netlist: &Netlist, observe: &Observe<'_>) -> Program {
     let pulses = (0..netlist.outputs.len()).filter(one_bit).collect();
     let owners = netlist.scopes.iter().map(|scope| Owner {
         parent: scope.parent.map(|parent| OwnerId::new(parent.index())),
-        module: scope.module.clone(),
-        parameters: scope.parameters.clone(),
+        module: Arc::clone(&scope.module),
     });
     let mut program = Program {
         owners: owners.collect(),

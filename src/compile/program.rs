@@ -1,5 +1,7 @@
 //! The program: what every engine runs.
 
+use std::sync::Arc;
+
 use crate::base::{Graph, Port, Signal, ValueId};
 
 crate::define_id!(
@@ -7,15 +9,13 @@ crate::define_id!(
     OwnerId
 );
 
-/// A module instance. Two owners of equal `module` and `parameters` were built from the same text.
+/// A module instance. Two owners of equal `module` were built from the same text, perhaps with other parameters.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct Owner {
     /// Enclosing instance; `None` for the top.
     pub parent: Option<OwnerId>,
     /// Module name.
-    pub module: String,
-    /// Parameters in force.
-    pub parameters: Vec<(String, i64)>,
+    pub module: Arc<str>,
 }
 
 /// A circuit made of ops in an order in which each op follows its operands, registers and inputs being leaves.

@@ -56,7 +56,8 @@ impl EngineKind {
     /// this machine.
     ///
     /// # Errors
-    /// `E001` when native code was asked for by name and cannot be made, `E003` an engine that was not built in.
+    /// When an engine was asked for by name and cannot be made: `E001` for want of native code on this machine, `E003` it
+    /// was not built in, `E004` and `E005` for want of room.
     pub fn build(self, program: Arc<Program>, ticks: u64) -> Result<Box<dyn Engine>, Diagnostic> {
         match self.resolve(ticks) {
             EngineKind::Interpreter => Ok(Box::new(Interpreter::new(program))),
@@ -81,7 +82,7 @@ fn native(_: &Arc<Program>) -> Result<Box<dyn Engine>, Diagnostic> {
 
 #[cfg(feature = "lanes")]
 fn lanes(program: &Program) -> Result<Box<dyn Engine>, Diagnostic> {
-    Ok(Box::new(super::LanesEngine::new(program)))
+    Ok(Box::new(super::LanesEngine::new(program)?))
 }
 
 #[cfg(not(feature = "lanes"))]
@@ -136,6 +137,7 @@ mod tests {
     #[test]
     fn an_unknown_engine_is_refused_with_the_nearest_name() {
         let error = "nativ".parse::<EngineKind>().expect_err("no such engine");
+        assert_eq!(error.code, "E002");
         assert!(error.help.iter().any(|line| line.contains("`native`")), "{error:?}");
     }
 

@@ -16,7 +16,6 @@ pub struct Interpreter {
     values: Vec<u64>,
     inputs: Vec<u64>,
     registers: Vec<u64>,
-    roms: Vec<Vec<u64>>,
     rams: Vec<Vec<u64>>,
     watched: Vec<ValueId>,
     counted: Vec<ValueId>,
@@ -32,8 +31,7 @@ impl Interpreter {
             values: vec![0; graph.nodes.len()],
             inputs: vec![0; program.inputs.len()],
             registers: graph.registers.iter().map(|register| register.init).collect(),
-            roms: graph.roms.iter().map(|rom| rom.image.words().collect()).collect(),
-            rams: graph.rams.iter().map(|ram| ram.image.words().collect()).collect(),
+            rams: graph.rams.iter().map(|ram| ram.image.words().to_vec()).collect(),
             watched: Vec::new(),
             pulses: PulseMeter::new(program.pulses.len()),
             counted: program.counted().collect(),
@@ -57,7 +55,7 @@ impl Interpreter {
             Op::Const(value) => value,
             Op::Input(i) => self.inputs[i as usize],
             Op::Register(id) => self.registers[id.index()],
-            Op::RomRead(id, address) => word(&self.roms[id.index()], address),
+            Op::RomRead(id, address) => word(graph.roms[id.index()].image.words(), address),
             Op::RamRead(id, address) => word(&self.rams[id.index()], address),
             op => {
                 let mut operands = [0; 3];

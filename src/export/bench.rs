@@ -6,10 +6,19 @@ use super::page::Page;
 use crate::base::Stimulus;
 use crate::netlist::{Net, NetId, Netlist};
 
-/// The module name of the bench of a circuit.
+/// The module name of the bench of a circuit: one that stands nowhere in its texts.
 #[must_use]
 pub fn bench_name(netlist: &Netlist) -> String {
-    format!("{}_bench", netlist.scopes[0].module)
+    let name = format!("{}_bench", netlist.scopes[0].module);
+    free(name, |name| netlist.sources.iter().any(|(_, text)| text.contains(name)))
+}
+
+/// A name, with underscores after it until it is not taken.
+fn free(mut name: String, is_taken: impl Fn(&str) -> bool) -> String {
+    while is_taken(&name) {
+        name.push('_');
+    }
+    name
 }
 
 /// The text of a Verilog-2005 file with a bench module that drives the top module of `netlist` through `ticks` ticks
@@ -52,24 +61,35 @@ fn clock_port(netlist: &Netlist) -> Option<&Net> {
     netlist.nets.iter().find(|net| net.scope.index() == 0 && net.is_clock && net.port.is_some())
 }
 
+/// The bench's own name for what it connects to a port: the port's, unless the instance has it.
+fn word_name(netlist: &Netlist, port: &Net) -> String {
+    if port.name != *netlist.scopes[0].module {
+        return port.name.clone();
+    }
+    let ports = || netlist.inputs.iter().chain(&netlist.outputs).map(|&id| &net(netlist, id).name);
+    free(format!("{}_", port.name), |name| ports().any(|other| other == name))
+}
+
 fn declarations(page: &mut Page, netlist: &Netlist) {
     page.line("reg clk;");
     for (kind, ports) in [("reg", &netlist.inputs), ("wire", &netlist.outputs)] {
         for port in ports.iter().map(|&id| net(netlist, id)) {
             let sign = if port.signed { "signed " } else { "" };
-            page.line(format!("{kind} {sign}{}{};", range(port.width), port.name));
+            page.line(format!("{kind} {sign}{}{};", range(port.width), word_name(netlist, port)));
         }
     }
 }
 
+/// The circuit. Only given parameters are given on: a default has a width and a sign of its own in the circuit's text.
 fn instance(page: &mut Page, netlist: &Netlist) {
     let top = &netlist.scopes[0].module;
-    let parameters = netlist.parameters.iter().map(|(name, value)| format!(".{name}({})", number(*value)));
+    let parameters = netlist.given.iter().map(|(name, value)| format!(".{name}({})", number(*value)));
     let parameters = parameters.collect::<Vec<_>>().join(", ");
     let overrides = if parameters.is_empty() { String::new() } else { format!("#({parameters}) ") };
     let clock = clock_port(netlist).map(|port| format!(".{}(clk)", port.name));
-    let ports = netlist.inputs.iter().chain(&netlist.outputs).map(|&id| &net(netlist, id).name);
-    let connections: Vec<_> = clock.into_iter().chain(ports.map(|name| format!(".{name}({name})"))).collect();
+    let ports = netlist.inputs.iter().chain(&netlist.outputs).map(|&id| net(netlist, id));
+    let ports = ports.map(|port| format!(".{}({})", port.name, word_name(netlist, port)));
+    let connections: Vec<_> = clock.into_iter().chain(ports).collect();
     page.line(format!("{top} {overrides}{top} ({});", connections.join(", ")));
 }
 
@@ -85,9 +105,11 @@ fn clock(page: &mut Page) {
 
 /// Inputs change together with the registers, by assignments that take effect after every register has read.
 fn drive(page: &mut Page, netlist: &Netlist, stimulus: &Stimulus, ticks: u64) {
+    let inputs = netlist.inputs.iter().map(|&id| net(netlist, id));
+    let inputs: Vec<_> = inputs.map(|port| (word_name(netlist, port), port.width)).collect();
     let set = |input: usize, word: u64, operator| {
-        let port = net(netlist, netlist.inputs[input]);
-        format!("{} {operator} {};", port.name, literal(word, port.width))
+        let (name, width) = &inputs[input];
+        format!("{name} {operator} {};", literal(word, *width))
     };
     stimulus.initial.iter().enumerate().for_each(|(input, &word)| page.line(set(input, word, "=")));
     let (mut now, last) = (0, ticks.saturating_sub(1));

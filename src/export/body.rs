@@ -105,7 +105,7 @@ impl Writer<'_> {
 fn memory(page: &mut Page, name: &str, image: &MemoryImage) {
     page.line(format!("reg {}{name} [0:{}];", range(image.width()), image.depth().saturating_sub(1)));
     page.block("initial begin", "end", |page| {
-        for (address, word) in image.words().enumerate() {
+        for (address, &word) in image.words().iter().enumerate() {
             page.line(format!("{name}[{address}] = {};", literal(word, image.width())));
         }
     });

@@ -21,14 +21,21 @@ const BENCH: &str = "bench.v";
 /// `ticks` ticks of `stimulus`.
 #[must_use]
 pub fn files(netlist: &Netlist, stimulus: &Stimulus, ticks: u64) -> Vec<File> {
-    let circuit = netlist.sources.iter().map(|(path, text)| File { name: own_name(path), text: text.to_string() });
     let blocks = File { name: BLOCKS.to_owned(), text: verilog([netlist]) };
     let bench = File { name: BENCH.to_owned(), text: bench(netlist, stimulus, ticks) };
-    [blocks, bench].into_iter().chain(circuit).collect()
+    let mut files = vec![blocks, bench];
+    for (path, text) in netlist.sources.iter() {
+        let name = own_name(path, &files);
+        files.push(File { name, text: text.to_string() });
+    }
+    files
 }
 
-/// A circuit file keeps its name, unless it is one of ours.
-fn own_name(path: &str) -> String {
-    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
-    if [BLOCKS, BENCH].contains(&name) { format!("circuit_{name}") } else { name.to_owned() }
+/// A circuit file keeps its name, unless another one has it.
+fn own_name(path: &str, others: &[File]) -> String {
+    let mut name = path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned();
+    while others.iter().any(|other| other.name == name) {
+        name.insert_str(0, "circuit_");
+    }
+    name
 }

@@ -36,11 +36,12 @@ fn specialisations<'n>(netlists: impl IntoIterator<Item = &'n Netlist>) -> Vec<S
 ///
 /// ```
 /// use std::sync::Arc;
+/// use stepwright::base::Report;
 /// use stepwright::{export, netlist};
 ///
 /// struct Nowhere;
 /// impl netlist::Library for Nowhere {
-///     fn find(&self, _: &str) -> Option<(String, Arc<str>)> {
+///     fn find(&self, _: &str) -> Option<Result<(String, Arc<str>), Report>> {
 ///         None
 ///     }
 /// }

@@ -41,6 +41,8 @@ pub struct Netlist {
     pub cells: Vec<Cell>,
     /// Parameters of the top module, with the values in force.
     pub parameters: Vec<(String, i64)>,
+    /// Those of them that were given and not left at their defaults.
+    pub given: Vec<(String, i64)>,
     /// Input nets of the top module in order of its header, without the clock.
     pub inputs: Vec<NetId>,
     /// Output nets of the top module in order of its header.
@@ -54,10 +56,8 @@ pub struct Scope {
     pub name: String,
     /// Enclosing instance; `None` for the top.
     pub parent: Option<ScopeId>,
-    /// Module name; for a turn of a loop, that of the module around it, a dot and the label.
-    pub module: String,
-    /// Parameter values in force, for a turn of a loop its genvar too: two scopes with equal `module` and `parameters` are built alike.
-    pub parameters: Vec<(String, i64)>,
+    /// Module name; for a turn of a loop, that of the module around it, a dot and the label. Shared by all such scopes.
+    pub module: Arc<str>,
     /// Where it is instantiated.
     pub span: Span,
 }

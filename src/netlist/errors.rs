@@ -8,8 +8,8 @@ use crate::base::{Diagnostic, Span};
 /// The code of an error that only follows from one that has been told; it is never shown.
 pub(super) const FOLLOWS: &str = "N000";
 
-/// Codes of errors in a single token, whatever else is said about that token follows from them.
-const OF_TOKENS: [&str; 2] = ["N002", "N005"];
+/// Codes of errors at a place, whatever else is said about that place follows from them.
+const OF_PLACES: [&str; 3] = [FOLLOWS, "N002", "N005"];
 
 /// Diagnostics in order of discovery.
 #[derive(Default, Debug)]
@@ -26,7 +26,7 @@ impl Errors {
     pub(super) fn push(&mut self, diagnostic: Diagnostic) {
         self.count += 1;
         let place = diagnostic.labels.first().map(|(span, _)| *span);
-        let follows = diagnostic.code == FOLLOWS || OF_TOKENS.iter().any(|code| self.told.contains(&(code, place)));
+        let follows = diagnostic.code == FOLLOWS || OF_PLACES.iter().any(|code| self.told.contains(&(code, place)));
         let again = place.is_some() && !self.told.insert((diagnostic.code, place));
         if follows || again || self.list.len() > limits::ERRORS {
             return;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::checked::Netlist;
 use super::elaborate::{self, Modules};
-use super::errors::Errors;
+use super::errors::{Errors, FOLLOWS};
 use super::syntax::{self, Item, Module};
 use super::{Library, assemble, limits};
 use crate::base::{Diagnostic, Report, Sources, Span};
@@ -18,7 +18,7 @@ use crate::blocks;
 /// the file come from `library`. `parameters` are those of the top module that are to differ from their defaults.
 ///
 /// # Errors
-/// All that is wrong, with places; the codes are listed at [`crate::netlist`].
+/// All that is wrong, with places.
 pub fn load(
     name: &str,
     text: &str,
@@ -69,18 +69,30 @@ impl Loader {
         if !self.errors.is_empty() {
             return None;
         }
-        assemble::assemble(&self.sources, &templates, &mut self.errors)
+        assemble::assemble(&self.sources, &templates, parameters, &mut self.errors)
     }
 
     fn parse(&mut self, name: &str, text: &str) -> Vec<Module> {
-        if let Some(why) = unreadable(text) {
-            self.errors.push(Diagnostic::new("N001", format!("{name} {why}")));
+        if text.len() > limits::TEXT_BYTES {
+            let message = format!("{name} has {} bytes; at most {} are read", text.len(), limits::TEXT_BYTES);
+            self.errors.push(Diagnostic::new("N001", message));
             return Vec::new();
         }
         let source = self.sources.add(name, text);
+        // A text that is short enough has places of 32 bits.
+        let span = |start: usize, end: usize| Span { source, start: start as u32, end: end as u32 };
+        let strange = text.char_indices().find(|(_, c)| c.is_control() && !c.is_whitespace());
+        if let Some((at, c)) = strange {
+            let diagnostic = Diagnostic::new("N001", format!("{name} is no text"));
+            let label = format!("the character `{}`", c.escape_default());
+            self.errors.push(diagnostic.at(span(at, at + c.len_utf8()), label));
+            return Vec::new();
+        }
         let modules = syntax::parse(source, text, &mut self.errors);
         if modules.is_empty() && self.errors.is_empty() {
-            self.errors.push(Diagnostic::new("N001", format!("{name} holds no module")));
+            let message = if text.trim().is_empty() { "is empty" } else { "holds no module" };
+            let diagnostic = Diagnostic::new("N001", format!("{name} {message}"));
+            self.errors.push(diagnostic.at(span(text.len(), text.len()), "a module is wanted"));
         }
         modules
     }
@@ -88,16 +100,30 @@ impl Loader {
     /// Adds the modules that are used but not there.
     fn close(&mut self, files: &mut Vec<Module>, library: &dyn Library) {
         let mut known: HashSet<Box<str>> = files.iter().map(|module| module.name.text.clone()).collect();
+        let mut unreadable = HashSet::new();
         let mut next = 0;
         while next < files.len() {
-            for name in used(&files[next]) {
+            for (name, span) in instances(&files[next]) {
+                if unreadable.contains(&name) {
+                    self.errors.push(Diagnostic::new(FOLLOWS, "a file that is told already").at(span, ""));
+                }
                 if blocks::find(&name).is_some() || !known.insert(name.clone()) {
                     continue;
                 }
-                if let Some((file, text)) = library.find(&name) {
-                    let found = self.parse(&file, &text);
-                    known.extend(found.iter().map(|module| module.name.text.clone()));
-                    files.extend(found);
+                match library.find(&name) {
+                    Some(Ok((file, text))) => {
+                        let found = self.parse(&file, &text);
+                        known.extend(found.iter().map(|module| module.name.text.clone()));
+                        files.extend(found);
+                    }
+                    Some(Err(report)) => {
+                        for Diagnostic { message, .. } in report.diagnostics {
+                            self.errors.push(Diagnostic::new("N001", message).at(span, "wanted here"));
+                        }
+                        self.errors.push(Diagnostic::new(FOLLOWS, "a module that is not known").at(span, ""));
+                        unreadable.insert(name);
+                    }
+                    None => {}
                 }
             }
             next += 1;
@@ -166,18 +192,6 @@ fn recursion(name: &str, span: Span, way: &[&str]) -> Diagnostic {
     let diagnostic = diagnostic.at(span, "instantiated inside itself");
     let round: Vec<_> = way[start..].iter().take(20).copied().chain([name]).collect();
     diagnostic.help(format!("{}: hardware ends somewhere", round.join(" > ")))
-}
-
-/// Why a text cannot be a circuit, if it cannot.
-fn unreadable(text: &str) -> Option<String> {
-    if text.len() > limits::TEXT_BYTES {
-        return Some(format!("has {} bytes; at most {} are read", text.len(), limits::TEXT_BYTES));
-    }
-    if text.trim().is_empty() {
-        return Some("is empty".into());
-    }
-    let strange = text.char_indices().find(|(_, c)| c.is_control() && !c.is_whitespace());
-    strange.map(|(at, c)| format!("is no text: byte {at} is `{}`", c.escape_default()))
 }
 
 /// The modules that a module instantiates, with places.

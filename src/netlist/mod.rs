@@ -9,41 +9,11 @@
 //! is an error that says what to write instead. Two things are stricter than Verilog: widths must agree, and a name is
 //! declared before it is used.
 //!
-//! # Codes
+//! Attributes tell what Verilog has no words for: `(* fraction = 3 *)` before a port or wire, that so many of its bits
+//! stand behind the point; `(* MODE_min = 0, MODE_max = 4 *)` before a module, the range of its parameter `MODE`, which
+//! holds for every instance.
 //!
-//! | code | what is wrong |
-//! |------|---------------|
-//! | N001 | the text is empty, no text, too long, or holds no module |
-//! | N002 | a character, comment or string that is no token |
-//! | N003 | something else was expected here |
-//! | N004 | a construct of Verilog that is outside the structural subset |
-//! | N005 | a number: digits, size, `x` or `z` |
-//! | N006 | a limit: depth, length, number of parts or errors |
-//! | N007 | bits with two drivers |
-//! | N008 | bits without a driver |
-//! | N009 | widths that differ |
-//! | N010 | a name that means nothing, or no net |
-//! | N011 | a name, port or parameter given twice |
-//! | N012 | a module or block that does not exist |
-//! | N013 | a port that does not exist |
-//! | N014 | a parameter that does not exist or is given no value |
-//! | N015 | a parameter's value out of its range, or refused by the block |
-//! | N016 | an input left open |
-//! | N017 | a gate with too many or too few terminals |
-//! | N018 | a word of more than 64 bits |
-//! | N019 | a select outside its net |
-//! | N020 | a constant expression without a value |
-//! | N021 | a number without a size where bits are counted |
-//! | N022 | an operator on nets |
-//! | N023 | the clock used as a signal, or missing |
-//! | N024 | a combinational loop |
-//! | N025 | a net that drives itself |
-//! | N026 | a module that contains itself |
-//! | N027 | no one top module |
-//! | N028 | a range or select that runs upwards |
-//! | N029 | something that cannot be driven |
-//! | N030 | the attribute `fraction` out of its range |
-//! | N031 | a generate loop without a genvar or without an end |
+//! The codes of its errors begin with N; `docs/diagnostics.md` lists them.
 
 mod assemble;
 mod checked;
@@ -58,8 +28,13 @@ pub use load::load;
 
 use std::sync::Arc;
 
+use crate::base::Report;
+
 /// Where modules come from that a circuit file uses but does not hold.
 pub trait Library {
-    /// The text of the file that holds `module`, and the name that messages show for it.
-    fn find(&self, module: &str) -> Option<(String, Arc<str>)>;
+    /// The name that messages show for the file that holds `module`, and its text; `None` when there is no such file.
+    ///
+    /// # Errors
+    /// The file is there but cannot be read.
+    fn find(&self, module: &str) -> Option<Result<(String, Arc<str>), Report>>;
 }

@@ -36,14 +36,14 @@ impl Number {
             return Err(expected());
         }
         let plain = digits.replace('_', "");
-        let whole = if let Some(hex) = plain.strip_prefix("0x").or_else(|| plain.strip_prefix("0X")) {
-            u64::from_str_radix(hex, 16).ok()
-        } else if let Some(binary) = plain.strip_prefix("0b").or_else(|| plain.strip_prefix("0B")) {
-            u64::from_str_radix(binary, 2).ok()
-        } else {
-            plain.parse::<u64>().ok()
+        let (radix, whole) = match plain.get(..2) {
+            Some("0x" | "0X") => (16, &plain[2..]),
+            Some("0b" | "0B") => (2, &plain[2..]),
+            _ => (10, &plain[..]),
         };
-        if let Some(whole) = whole {
+        // A sign may stand before the base only.
+        let whole = Some(whole).filter(|whole| !whole.starts_with(['+', '-']));
+        if let Some(whole) = whole.and_then(|whole| u64::from_str_radix(whole, radix).ok()) {
             let whole = i128::from(whole);
             return Ok(Number::Word(if negative { -whole } else { whole }));
         }
@@ -138,7 +138,8 @@ mod tests {
 
     #[test]
     fn what_is_no_number_is_refused() {
-        for text in ["", "-", "--1", "0x", "0xg", "0b2", "1.2.3", "inf", "nan", "-+1", "e", "."] {
+        for text in ["", "-", "--1", "0x", "0xg", "0b2", "1.2.3", "inf", "nan", "-+1", "0x+1", "0x-1", "0b+1", "e", "."]
+        {
             assert!(Number::parse(text).is_err(), "{text}");
         }
     }

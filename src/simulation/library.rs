@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::shipped::Shelf;
+use crate::base::Report;
 use crate::files::{self, Text};
 use crate::netlist::Library;
 
@@ -33,9 +34,9 @@ impl Modules {
 }
 
 impl Library for Modules {
-    fn find(&self, module: &str) -> Option<(String, Arc<str>)> {
+    fn find(&self, module: &str) -> Option<Result<(String, Arc<str>), Report>> {
         match self.on_disk(&format!("{module}.v")) {
-            Some(path) => files::read(&path).ok().map(|text| (text.name, text.text)),
+            Some(path) => Some(files::read(&path).map(|text| (text.name, text.text))),
             None => Shelf { near: &self.near }.find(module),
         }
     }

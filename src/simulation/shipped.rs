@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::base::Diagnostic;
+use crate::base::{Diagnostic, Report};
 use crate::files::Text;
 use crate::netlist::Library;
 
@@ -35,12 +35,12 @@ pub struct Shelf<'a> {
 }
 
 impl Library for Shelf<'_> {
-    fn find(&self, module: &str) -> Option<(String, Arc<str>)> {
+    fn find(&self, module: &str) -> Option<Result<(String, Arc<str>), Report>> {
         let folder = self.near.rsplit_once('/').map_or("", |(folder, _)| folder);
         let beside = format!("{folder}/{module}.v");
         let anywhere = || FILES.iter().find(|(path, _)| path.rsplit('/').next() == Some(&format!("{module}.v")));
         let (path, text) = FILES.iter().find(|(path, _)| *path == beside).or_else(anywhere)?;
-        Some((format!("circuits/{path}"), Arc::from(*text)))
+        Some(Ok((format!("circuits/{path}"), Arc::from(*text))))
     }
 }
 

@@ -24,6 +24,7 @@
 
 mod ascii;
 mod csv;
+mod formats;
 mod fst;
 mod gtkw;
 mod observer;
@@ -38,6 +39,7 @@ mod wave;
 mod writer;
 
 pub use csv::CsvTable;
+pub use formats::FORMATS;
 pub use fst::FstWriter;
 pub use gtkw::{SaveFile, SaveText};
 pub use observer::{Frame, Observer};
@@ -49,7 +51,7 @@ pub use select::Select;
 pub use table::{Rows, Table};
 pub use vcd::VcdWriter;
 pub use wave::Wave;
-pub use writer::{FORMATS, Format, WaveWriter};
+pub use writer::{Format, WaveWriter};
 
 /// The format that everything reads.
 pub static VCD: &Format = &vcd::FORMAT;

@@ -8,3 +8,14 @@ endmodule
 module inner #(parameter [3:0] INIT = 0) (output wire [4:0] y);
     assign y = {1'b0, INIT};
 endmodule
+
+(* MODE_min = 0, MODE_max = 4, STEP_min = 1 *)
+module ranged #(parameter MODE = 2, parameter STEP = 0) (input wire a);
+endmodule
+
+module use_ranged (input wire a);
+    ranged #(.MODE(4), .STEP(1)) good (.a(a));
+    ranged #(.MODE(5), .STEP(1)) beyond (.a(a));
+    ranged #(.MODE(0 - 1), .STEP(1)) below (.a(a));
+    ranged left_at_its_default (.a(a));
+endmodule

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use proptest::prelude::*;
-use stepwright::blocks::{Block, Direction, Parameters, REGISTRY};
+use stepwright::blocks::{Block, Builder, Direction, Parameters, REGISTRY};
 
 /// What to write; every choice is taken modulo what there is.
 #[derive(Clone, Debug)]
@@ -114,7 +114,7 @@ impl Writer {
             connections.push(format!(".{}({name})", port.name));
             self.declare(name, port.width.bits(&parameters) as u32);
         }
-        let values: Vec<_> = parameters.iter().map(|(name, value)| format!(".{name}({value})")).collect();
+        let values: Vec<_> = parameters.iter().map(|(name, value)| format!(".{name}({})", number(value))).collect();
         let values = if values.is_empty() { String::new() } else { format!(" #({})", values.join(", ")) };
         self.line(format!("{}{values} block_{i} ({});", description.name, connections.join(", ")));
     }
@@ -143,7 +143,16 @@ fn constant(choice: u64, width: u32) -> String {
     format!("{width}'h{:x}", choice & stepwright::base::word::mask(width))
 }
 
-/// Parameters that the block accepts and that keep its ports within 64 bits; its defaults when the choice does not.
+/// A number, with a size if 32 bits do not hold it.
+fn number(value: i64) -> String {
+    match i32::try_from(value) {
+        Ok(small) => small.to_string(),
+        Err(_) if value < 0 => format!("-64'sd{}", value.unsigned_abs()),
+        Err(_) => format!("64'sd{value}"),
+    }
+}
+
+/// Parameters that the block accepts and that keep its words within 64 bits; its defaults when the choice does not.
 fn parameters(block: &Block, choice: &Choice) -> Parameters {
     let description = block.description();
     let defaults = Parameters::defaults(description);
@@ -160,6 +169,7 @@ fn parameters(block: &Block, choice: &Choice) -> Parameters {
     let fits = |parameters: &Parameters| {
         description.ports.iter().all(|port| (1..=64).contains(&port.width.bits(parameters)))
             && block.check(parameters).is_ok()
+            && Builder::build(block, parameters).is_ok()
     };
     if fits(&chosen) { chosen } else { defaults }
 }

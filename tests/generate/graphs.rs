@@ -236,7 +236,7 @@ impl Grower {
         };
         Program {
             owner: vec![OwnerId::new(0); graph.nodes.len()],
-            owners: vec![Owner { parent: None, module: "top".into(), parameters: Vec::new() }],
+            owners: vec![Owner { parent: None, module: "top".into() }],
             inputs: recipe.inputs.iter().enumerate().map(port).collect(),
             outputs: Vec::new(),
             pulses: Vec::new(),

@@ -31,11 +31,11 @@ pub fn listing(graph: &Graph) -> String {
         writeln!(text, "register {i}: init {init:#x} next v{next} enable {enable} clear {clear}").expect("a string");
     }
     for (i, rom) in graph.roms.iter().enumerate() {
-        writeln!(text, "rom{i}: {:x?}", rom.image.words().collect::<Vec<_>>()).expect("a string");
+        writeln!(text, "rom{i}: {:x?}", rom.image.words()).expect("a string");
     }
     for (i, ram) in graph.rams.iter().enumerate() {
         let [enable, address, data] = [ram.write.enable, ram.write.address, ram.write.data].map(|id| id.index());
-        let words: Vec<_> = ram.image.words().collect();
+        let words = ram.image.words();
         writeln!(text, "ram{i}: {words:x?} write v{enable} at v{address} data v{data}").expect("a string");
     }
     text

@@ -19,7 +19,7 @@ impl<'a> Plain<'a> {
             graph,
             inputs: vec![0; inputs],
             registers: graph.registers.iter().map(|register| register.init.into()).collect(),
-            rams: graph.rams.iter().map(|ram| ram.image.words().map(u128::from).collect()).collect(),
+            rams: graph.rams.iter().map(|ram| ram.image.words().iter().copied().map(u128::from).collect()).collect(),
             values: Vec::new(),
         };
         plain.settle();
@@ -97,7 +97,8 @@ impl<'a> Plain<'a> {
             Op::ReduceOr(a) => (bits(a).sum::<i128>() > 0).into(),
             Op::ReduceXor(a) => bits(a).sum(),
             Op::RomRead(rom, at) => {
-                let words: Vec<_> = self.graph.roms[rom.index()].image.words().map(u128::from).collect();
+                let words: Vec<_> =
+                    self.graph.roms[rom.index()].image.words().iter().copied().map(u128::from).collect();
                 word(&words, at).unwrap_or(0) as i128
             }
             Op::RamRead(ram, at) => word(&self.rams[ram.index()], at).unwrap_or(0) as i128,

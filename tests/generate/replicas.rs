@@ -31,7 +31,7 @@ pub fn replicate(replicas: &Replicas) -> Program {
     whole.owner.resize(whole.graph.nodes.len(), OwnerId::new(0));
     for copy in 0..replicas.wiring.len() {
         let place = whole.graph.append(&module.graph, &inputs);
-        whole.owners.push(Owner { parent: Some(OwnerId::new(0)), module: "module".into(), parameters: Vec::new() });
+        whole.owners.push(Owner { parent: Some(OwnerId::new(0)), module: "module".into() });
         whole.owner.resize(whole.graph.nodes.len(), OwnerId::new(copy + 1));
         whole.signals.extend(module.signals.iter().map(|signal| Signal {
             path: vec!["top".into(), format!("copy{copy}"), signal.path[1].clone()],

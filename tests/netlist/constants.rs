@@ -110,6 +110,15 @@ fn a_declared_range_gives_its_width_to_the_whole_expression() {
 }
 
 #[test]
+fn a_sign_without_a_range_takes_the_width_of_the_value_and_its_bits_as_signed() {
+    // IEEE 1364-2005, 12.2.1.
+    let text = "module t #(parameter signed P = 4'd8, parameter signed Q = 8'd200, parameter signed R = 8'd100)
+        (output wire [7:0] y); localparam signed L = 4'd8; assign y = {P, L}; wire below = P + L < 0; endmodule";
+    let netlist = load_text(text).unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(netlist.parameters, [("P".into(), -8), ("Q".into(), -56), ("R".into(), 100)]);
+}
+
+#[test]
 fn nested_counts_and_bounds_take_no_time_in_their_depth() {
     // Worked out twice on each level, 60 levels would never end.
     let count = (0..60).fold("1'b1".to_owned(), |inner, _| format!("{{{inner}{{1'b1}}}}"));

@@ -81,7 +81,7 @@ fn operators_without_end_are_an_error_on_every_way_to_nest_them() {
 fn loops_and_instances_that_would_fill_the_memory_are_refused() {
     let all = "genvar i; genvar j; for (i = 0; i < 65536; i = i + 1) begin : b
         for (j = 0; j < 65536; j = j + 1) begin : c wire x; end end assign y = a;";
-    assert_eq!(codes(&module(all)), ["N006"]);
+    assert_eq!(codes(&module(all)), ["N033"]);
     assert_eq!(codes(&module("wire x = {2000000000{a}}; assign y = a;")), ["N006"]);
     // Each level doubles: 2^40 instances of a handful of templates.
     let mut text = String::new();
@@ -93,7 +93,7 @@ fn loops_and_instances_that_would_fill_the_memory_are_refused() {
     }
     text += "module m40 (input wire a, output wire y); assign y = a; endmodule\n";
     let report = load_text(&text).expect_err("too large");
-    assert!(report.to_string().contains("nets, cells and instances; at most 1000000 are possible"), "{report}");
+    assert!(report.to_string().contains("parts; at most 1000000 are possible"), "{report}");
 }
 
 #[test]
@@ -120,4 +120,50 @@ fn a_thousand_errors_are_cut_short() {
     let report = load_text(&text).expect_err("errors");
     assert!(report.to_string().contains("more than 60 errors"));
     assert!(report.diagnostics.len() <= 61);
+}
+
+/// Runs a circuit with so many kibibytes of address space.
+#[cfg(target_os = "linux")]
+fn run_within(kibibytes: u64, text: &str) -> std::process::Output {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("circuit.v");
+    std::fs::write(&path, text).expect("a file");
+    let shell = format!("ulimit -v {kibibytes}; exec \"$0\" run \"$1\" --ticks 5");
+    let mut command = std::process::Command::new("sh");
+    command.args(["-c", &shell, env!("CARGO_BIN_EXE_stepwright")]).arg(path);
+    command.output().expect("a shell")
+}
+
+/// 1000 parameters, and 4000 turns of a loop that could see them, in 22 KB. With a copy of the parameters for each turn it
+/// took 597 MB.
+#[cfg(target_os = "linux")]
+#[test]
+fn turns_of_a_loop_share_the_parameters_around_them() {
+    let parameters: Vec<_> = (0..1000).map(|i| format!("parameter P{i} = {i}")).collect();
+    let text = format!(
+        "module circuit #({}) (input wire a, output wire y); assign y = a; genvar i;
+            for (i = 0; i < 4000; i = i + 1) begin : turn wire x = a; end endmodule",
+        parameters.join(", ")
+    );
+    let output = run_within(100_000, &text);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// 60,000 blocks of several hundred ops, and 60,000 tables of 4096 words, which stand in memory once.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_blocks_expand_to_is_charged_and_equal_tables_are_shared() {
+    let circuit = |block: &str| {
+        format!(
+            "module circuit (input wire clk, input wire [11:0] a, output wire y); assign y = a[0]; genvar i;
+                for (i = 0; i < 60000; i = i + 1) begin : turn {block} end endmodule"
+        )
+    };
+    let large = circuit("pulse_distributor #(.TAPS(64)) many (.clk(clk), .pulse_in(a[0]));");
+    let output = run_within(200_000, &large);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("N035"));
+    let tables = circuit("rom #(.ADDRESS(12)) table_1 (.address(a));");
+    let output = run_within(400_000, &tables);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }

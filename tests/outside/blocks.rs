@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use stepwright::blocks::{Block, Parameters, REGISTRY};
+use stepwright::blocks::{Block, Builder, Parameters, REGISTRY};
 use stepwright::compile::{Observe, compile};
 use stepwright::engine::{Engine, Interpreter};
 use stepwright::export;
@@ -16,7 +16,8 @@ use super::wave::Wave;
 
 const TICKS: u64 = 300;
 
-/// The defaults, each parameter at either end, and three sets at random, as far as the block accepts them.
+/// The defaults, each parameter at either end, each two of them at ends chosen at random, and three sets at random, as
+/// far as the block can be built with them.
 fn corners(block: &Block, random: &mut Random) -> Vec<Parameters> {
     let description = block.description();
     let mut all = vec![Parameters::defaults(description)];
@@ -24,6 +25,16 @@ fn corners(block: &Block, random: &mut Random) -> Vec<Parameters> {
         for value in [parameter.min, parameter.max] {
             let mut parameters = Parameters::defaults(description);
             parameters.set(parameter.name, value);
+            all.push(parameters);
+        }
+    }
+    for (i, a) in description.parameters.iter().enumerate() {
+        for b in &description.parameters[i + 1..] {
+            let mut parameters = Parameters::defaults(description);
+            for parameter in [a, b] {
+                let ends = [parameter.min, parameter.max];
+                parameters.set(parameter.name, ends[random.below(2) as usize]);
+            }
             all.push(parameters);
         }
     }
@@ -35,7 +46,7 @@ fn corners(block: &Block, random: &mut Random) -> Vec<Parameters> {
         }
         all.push(parameters);
     }
-    all.retain(|parameters| block.check(parameters).is_ok());
+    all.retain(|parameters| block.check(parameters).is_ok() && Builder::build(block, parameters).is_ok());
     all
 }
 

@@ -50,7 +50,7 @@ impl Duts {
     }
 
     fn place(&mut self, block: &'static Block, parameters: Parameters, random: &mut Random) {
-        let body: Arc<Body> = Arc::new(Builder::build(block, &parameters));
+        let body: Arc<Body> = Arc::new(Builder::build(block, &parameters).expect("a body"));
         let description = block.description();
         let cell = CellId::new(self.netlist.cells.len());
         let name = format!("dut_{}", cell.index());
@@ -131,14 +131,14 @@ fn clock() -> Net {
 fn empty() -> Netlist {
     let mut sources = Sources::default();
     sources.add("duts.v", "");
-    let name = "duts".to_owned();
-    let top = Scope { module: name.clone(), name, parent: None, parameters: Vec::new(), span: NOWHERE() };
+    let top = Scope { module: "duts".into(), name: "duts".to_owned(), parent: None, span: NOWHERE() };
     Netlist {
         sources: Arc::new(sources),
         scopes: vec![top],
         nets: vec![clock()],
         cells: Vec::new(),
         parameters: Vec::new(),
+        given: Vec::new(),
         inputs: Vec::new(),
         outputs: Vec::new(),
     }

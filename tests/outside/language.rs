@@ -155,3 +155,93 @@ fn icarus_agrees_on_what_constant_expressions_come_to() {
     assert!(taken.len() >= 300, "only {} of 1200 expressions are taken", taken.len());
     check(&format!("{HEAD}{}endmodule\n", taken.concat()), &[]);
 }
+
+/// How a parameter is declared, and the width that this gives it; 0 for that of its value.
+const DECLARATIONS: [(&str, usize); 5] = [("", 0), ("signed", 0), ("[5:0]", 6), ("signed [5:0]", 6), ("integer", 0)];
+
+/// Values, with the width they have; 0 for whole numbers without one.
+const VALUES: [(&str, usize); 7] =
+    [("4'd8", 4), ("4'sd8", 4), ("4'sd7", 4), ("6'h2A", 6), ("7'sb1111101", 7), ("9", 0), ("-9", 0)];
+
+/// A module that shows the bits, the sign and the number of its parameter P, which has the default `value`.
+fn shows(name: &str, (declaration, declared): (&str, usize), (value, width): (&str, usize)) -> String {
+    let width = if declared == 0 { width } else { declared };
+    let is_sized = width > 0 && declaration != "integer";
+    let twice = if is_sized { format!("wire [{}:0] twice = {{P, P}};", 2 * width - 1) } else { String::new() };
+    let wide = if is_sized { "wire [63:0] wide = 64'sd0 + P;" } else { "" };
+    format!(
+        "module {name} #(parameter {declaration} P = {value}) (input wire a, output wire y);
+            localparam {declaration} Q = P;
+            {twice} {wide} wire negative = P < 0; wire local = Q < 0; buf b (y, a);
+        endmodule\n"
+    )
+}
+
+#[test]
+fn icarus_agrees_on_width_and_sign_of_parameters_by_default_and_given() {
+    if !tools::present(&["iverilog", "vvp"]) {
+        return;
+    }
+    let mut modules = String::new();
+    let mut instances = String::new();
+    let mut taken = 0;
+    for (i, declaration) in DECLARATIONS.into_iter().enumerate() {
+        for (k, value) in VALUES.into_iter().enumerate() {
+            let by_default = shows("language", declaration, value);
+            if session(&by_default).elaborate().is_err() {
+                // We refuse values that do not fit, which Verilog would cut.
+                continue;
+            }
+            taken += 1;
+            if k % 3 == i % 3 {
+                // The bench must not change what the default is.
+                check(&by_default, &[]);
+            }
+            modules += &shows(&format!("default_{i}_{k}"), declaration, value);
+            let other = if declaration.1 == 0 { (value.0, value.1) } else { ("6'd1", 6) };
+            // The same shape, and another value where the declaration gives the shape.
+            modules += &shows(&format!("given_{i}_{k}"), declaration, other);
+            instances += &format!(
+                "wire y_{i}_{k}, z_{i}_{k};
+                default_{i}_{k} default_of_{i}_{k} (.a(a), .y(y_{i}_{k}));
+                given_{i}_{k} #(.P({})) given_of_{i}_{k} (.a(a), .y(z_{i}_{k}));\n",
+                value.0
+            );
+        }
+    }
+    assert!(taken >= 28, "only {taken} of 35 cases are taken");
+    check(&format!("{HEAD}{instances}endmodule\n{modules}"), &[]);
+}
+
+#[test]
+fn icarus_agrees_on_parameters_given_from_outside() {
+    if !tools::present(&["iverilog", "vvp"]) {
+        return;
+    }
+    for declaration in DECLARATIONS {
+        for value in [0, 7, -1] {
+            let is_unsigned = declaration.0 == "[5:0]";
+            if is_unsigned && value < 0 {
+                continue;
+            }
+            // Without a declared width the parameter takes that of what is given, a whole number without one.
+            let text = shows("language", declaration, ("6'd1", declaration.1));
+            check(&text, &[("P".to_owned(), value)]);
+        }
+    }
+}
+
+#[test]
+fn the_bench_gets_along_with_every_name_of_the_circuit() {
+    if !tools::present(&["iverilog", "vvp"]) {
+        return;
+    }
+    let text = "
+        module language (input wire language, input wire language_, input wire bench, output wire y);
+            language_bench language_bench_1 (.a(language), .b(language_), .y(y));
+        endmodule
+        module language_bench (input wire a, input wire b, output wire y);
+            and and_1 (y, a, b);
+        endmodule";
+    check(text, &[]);
+}

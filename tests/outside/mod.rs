@@ -8,7 +8,7 @@ mod language;
 mod linters;
 mod mixture;
 mod random;
-mod tools;
+pub mod tools;
 mod trace;
 mod wave;
 mod waveforms;

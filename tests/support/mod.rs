@@ -11,7 +11,7 @@ use stepwright::netlist::{Library, Netlist, load};
 pub struct NoLibrary;
 
 impl Library for NoLibrary {
-    fn find(&self, _: &str) -> Option<(String, Arc<str>)> {
+    fn find(&self, _: &str) -> Option<Result<(String, Arc<str>), Report>> {
         None
     }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use stepwright::base::Report;
 use stepwright::base::word::MAX_WIDTH;
 use stepwright::compile::{Observe, compile};
 use stepwright::netlist::{Drive, Library, Netlist, Part, Source, load};
@@ -9,7 +10,7 @@ use stepwright::netlist::{Drive, Library, Netlist, Part, Source, load};
 struct Nothing;
 
 impl Library for Nothing {
-    fn find(&self, _: &str) -> Option<(String, Arc<str>)> {
+    fn find(&self, _: &str) -> Option<Result<(String, Arc<str>), Report>> {
         None
     }
 }
@@ -28,7 +29,7 @@ pub fn check(text: &str) {
         Err(report) => {
             assert!(!report.diagnostics.is_empty(), "a text is refused without a reason");
             for diagnostic in &report.diagnostics {
-                assert!(diagnostic.code > "N000" && diagnostic.code < "N032", "{diagnostic:?}");
+                assert!(diagnostic.code > "N000" && diagnostic.code < "N040", "{diagnostic:?}");
                 let places = &diagnostic.labels;
                 assert!(places.iter().all(|(span, _)| span.start <= span.end && span.end as usize <= text.len()));
             }

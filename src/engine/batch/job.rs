@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::base::{Stimulus, StopRule};
+use crate::base::{Diagnostic, Stimulus, StopRule};
 use crate::compile::{Program, compile_graph};
 use crate::engine::lanes::{Compiled, Path};
 
@@ -19,7 +19,9 @@ pub(super) struct Job {
 }
 
 impl Job {
-    pub fn new(program: &Program, stimulus: &Stimulus, keeps_signals: bool, path: Path) -> Self {
+    /// # Errors
+    /// `E005` when the program is too large for lanes.
+    pub fn new(program: &Program, stimulus: &Stimulus, keeps_signals: bool, path: Path) -> Result<Self, Diagnostic> {
         let mut program = program.clone();
         if !keeps_signals {
             program.signals.clear();
@@ -33,16 +35,16 @@ impl Job {
         let mut wanted: Vec<_> = outputs.clone().chain(signals.clone()).chain(program.stop).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        let compiled = Compiled::new(&program, &wanted, path);
+        let compiled = Compiled::new(&program, &wanted, path)?;
         let planes = |id| compiled.planes(id).to_vec();
-        Self {
+        Ok(Self {
             stimulus: stimulus.clone(),
             outputs: outputs.map(planes).collect(),
             pulses: program.counted().map(|bit| compiled.planes(bit)[0]).collect(),
             signals: signals.map(planes).collect(),
             stop: program.stop.map(|stop| compiled.planes(stop)[0]),
             compiled: Arc::new(compiled),
-        }
+        })
     }
 
     /// Words of a result: outputs, then pulse counts.

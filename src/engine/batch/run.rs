@@ -49,7 +49,7 @@ impl Default for Options<'_> {
 /// threads.
 ///
 /// # Errors
-/// When the threads cannot be started.
+/// When the threads cannot be started, or the program is too large for lanes (`E005`).
 pub fn run_batch(
     program: &Program,
     stimulus: &Stimulus,
@@ -57,7 +57,7 @@ pub fn run_batch(
     sink: impl Sink,
     options: Options<'_>,
 ) -> Result<Done, Diagnostic> {
-    let job = Job::new(program, stimulus, options.watch.is_some(), options.path);
+    let job = Job::new(program, stimulus, options.watch.is_some(), options.path)?;
     let threads = options.threads.max(1);
     let queue = Queue::new(&job, feed, sink, options.watch, threads);
     let work = || Worker::new(&job, &queue, options.cancel).run();

@@ -3,13 +3,13 @@
 //! One walk from top to bottom. When a register is wanted and none is free, the value that is used last is let go
 //! (Belady's rule); it is written to a plane of its own only if it stands nowhere in memory yet.
 
-use super::cover::{Function, Step, Straight};
 use super::encode::{Encoder, Finished, Opcode, Operand, Vectors};
 use super::segment::Place;
+use super::straight::{Function, Step, Straight};
 use super::tables::reordered;
 
-/// Machine code for `straight`, and how many planes from `spills` on it keeps values in.
-pub(super) fn allocate(straight: &Straight, vectors: Vectors, spills: u32, history: u32) -> (Finished, u32) {
+/// Machine code for `straight`, and how many planes from `spills` on it keeps values in; `None` when it is too large.
+pub(super) fn allocate(straight: &Straight, vectors: Vectors, spills: u32, history: u32) -> Option<(Finished, u32)> {
     let mut walk = Walk {
         encoder: Encoder::new(vectors),
         holds: vec![None; vectors.registers()],
@@ -27,7 +27,7 @@ pub(super) fn allocate(straight: &Straight, vectors: Vectors, spills: u32, histo
             Step::Compute { result, function, operands: [a, b, _] } => walk.binary(result, function, a, b),
         }
     }
-    (walk.encoder.finish(history as usize), walk.end_of_spills - spills)
+    Some((walk.encoder.finish(history)?, walk.end_of_spills - spills))
 }
 
 /// What the walk knows of a value.

@@ -4,7 +4,8 @@ use super::cover::{Instructions, cover};
 use super::lower::lower;
 use super::portable::{self, Portable};
 use super::segment::{Layout, segment};
-use crate::base::ValueId;
+use super::straight::Straight;
+use crate::base::{Diagnostic, MemoryImage, ValueId};
 use crate::compile::Program;
 
 #[cfg(target_arch = "x86_64")]
@@ -45,6 +46,15 @@ impl Path {
 /// Bytes of history to aim at: half of a first-level cache.
 const HISTORY_BYTES: usize = 24 << 10;
 
+/// Bytes of one machine at most; there is one for each thread.
+const MOST_BYTES: u64 = 512 << 20;
+
+fn too_large(why: &str) -> Diagnostic {
+    Diagnostic::new("E005", format!("the circuit is too large for the lanes engine: it needs {why}")).help(
+        "every word stands there once for each of many stimuli: run them one by one, or make its memories smaller",
+    )
+}
+
 /// A program as planes.
 #[derive(Debug)]
 pub(in crate::engine) struct Compiled {
@@ -56,8 +66,9 @@ pub(in crate::engine) struct Compiled {
     spills: usize,
     /// How many ticks the history holds.
     pub(in crate::engine) most_ticks: usize,
-    pub(super) rom_words: Vec<Vec<u64>>,
-    pub(super) ram_images: Vec<Vec<u64>>,
+    pub(super) roms: Vec<MemoryImage>,
+    /// Empty for those that are made of gates.
+    pub(super) rams: Vec<MemoryImage>,
 }
 
 /// The code of each segment.
@@ -76,10 +87,13 @@ pub(super) struct Sizes {
 }
 
 impl Compiled {
-    /// Compiles `program` for one path, to record the `wanted` values at every tick. A path that the system will not let
-    /// us take (no executable memory) becomes the portable one.
-    pub(in crate::engine) fn new(program: &Program, wanted: &[ValueId], path: Path) -> Self {
-        let lowered = lower(program, wanted);
+    /// Compiles `program` for one path, to record the `wanted` values at every tick. A path that cannot be taken (no
+    /// executable memory, or more planes than its instructions reach) becomes the portable one.
+    ///
+    /// # Errors
+    /// `E005` when the program is too large for any path.
+    pub(in crate::engine) fn new(program: &Program, wanted: &[ValueId], path: Path) -> Result<Self, Diagnostic> {
+        let lowered = lower(program, wanted).ok_or_else(|| too_large("more gates than it takes"))?;
         let (layout, segments) = segment(&lowered);
         let (gates, segments) = (&lowered.gates, &segments);
         let line = |instructions| segments.iter().map(move |s| cover(gates, s, instructions));
@@ -92,9 +106,23 @@ impl Compiled {
         }
         .unwrap_or_else(|| interpreted(line(Instructions::Pairs), &layout));
         let most_ticks = (HISTORY_BYTES / (layout.history.max(1) as usize * words * 8)).clamp(8, 128);
-        let rom_words = program.graph.roms.iter().map(|rom| rom.image.words().collect()).collect();
-        let ram_images = program.graph.rams.iter().map(|ram| ram.image.words().collect()).collect();
-        Self { layout, backend, words, spills, most_ticks, rom_words, ram_images }
+        let roms = program.graph.roms.iter().map(|rom| rom.image.clone()).collect();
+        let mut rams = vec![MemoryImage::from_words(1, []); program.graph.rams.len()];
+        for store in &layout.stores {
+            rams[store.ram.index()] = program.graph.rams[store.ram.index()].image.clone();
+        }
+        let compiled = Self { layout, backend, words, spills, most_ticks, roms, rams };
+        let bytes = compiled.bytes_of_a_machine();
+        if bytes > MOST_BYTES {
+            return Err(too_large(&format!("{} MiB for its lanes, of {} at most", bytes >> 20, MOST_BYTES >> 20)));
+        }
+        Ok(compiled)
+    }
+
+    /// Bytes that a machine takes: planes, and the RAMs of every lane.
+    fn bytes_of_a_machine(&self) -> u64 {
+        let ram_words: u64 = self.rams.iter().map(|image| image.depth() as u64).sum();
+        8 * (self.words_of_memory() as u64 + ram_words.saturating_mul(self.lanes() as u64))
     }
 
     /// Lanes that run at once.
@@ -129,22 +157,18 @@ impl Compiled {
 }
 
 #[cfg(target_arch = "x86_64")]
-fn native(
-    lines: impl Iterator<Item = super::cover::Straight>,
-    layout: &Layout,
-    vectors: Vectors,
-) -> Option<(Backend, usize, usize)> {
+fn native(lines: impl Iterator<Item = Straight>, layout: &Layout, vectors: Vectors) -> Option<(Backend, usize, usize)> {
     let mut code = Vec::new();
     let mut spills = 0;
     for straight in lines {
-        let (finished, spilled) = allocate(&straight, vectors, layout.fixed, layout.history);
+        let (finished, spilled) = allocate(&straight, vectors, layout.fixed, layout.history)?;
         spills = spills.max(spilled);
         code.push(Code::new(&finished).ok()?);
     }
     Some((Backend::Native(code), vectors.bytes() / 8, spills as usize))
 }
 
-fn interpreted(lines: impl Iterator<Item = super::cover::Straight>, layout: &Layout) -> (Backend, usize, usize) {
+fn interpreted(lines: impl Iterator<Item = Straight>, layout: &Layout) -> (Backend, usize, usize) {
     let mut code = Vec::new();
     let mut temporaries = 0;
     for straight in lines {

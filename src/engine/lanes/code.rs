@@ -6,6 +6,7 @@
 //! operand; [`Code::run`] checks every region against that before the call, and the history for all ticks of the loop.
 //! Regions are disjoint because they are separate `&mut` slices. No instruction needs alignment. The instruction set is
 //! checked when the code is made.
+#![allow(unsafe_code, reason = "machine code that was made while running can be called in no other way")]
 
 use std::io;
 

@@ -4,7 +4,7 @@
 
 use super::segment::Place;
 
-/// Planes of a region that a 32-bit displacement reaches, with room to spare.
+/// Planes of a region that a displacement of 31 bits reaches, with room to spare.
 const MOST_PLANES: u32 = 1 << 24;
 
 /// Which vectors.
@@ -73,11 +73,13 @@ pub(super) struct Encoder {
     vectors: Vectors,
     bytes: Vec<u8>,
     extent: Extent,
+    /// Whether a plane is beyond the reach of a displacement.
+    too_far: bool,
 }
 
 impl Encoder {
     pub(super) fn new(vectors: Vectors) -> Self {
-        Self { vectors, bytes: Vec::new(), extent: Extent::default() }
+        Self { vectors, bytes: Vec::new(), extent: Extent::default(), too_far: false }
     }
 
     /// `register = first op second`; a move has no first operand, that is 0.
@@ -123,7 +125,8 @@ impl Encoder {
             Place::Next(plane) => (2, plane, &mut self.extent.state),
             Place::History(plane) => (1, plane, &mut self.extent.history),
         };
-        assert!(plane < MOST_PLANES, "a circuit of more than {MOST_PLANES} planes");
+        self.too_far |= plane >= MOST_PLANES;
+        let plane = plane.min(MOST_PLANES - 1);
         *extent = (*extent).max(plane as usize + 1);
         // EVEX displacements of one byte count in registers, VEX ones in bytes, where they hardly ever fit.
         match i8::try_from(plane) {
@@ -137,21 +140,24 @@ impl Encoder {
     }
 
     /// Makes what has been encoded the body of a loop that runs `r8` times, moves on by `history` planes each time and
-    /// lets the states change places, and returns.
-    pub(super) fn finish(mut self, history: usize) -> Finished {
-        let body = self.bytes.len();
+    /// lets the states change places, and returns. `None` when a plane or the start of the loop is too far away for the
+    /// 31 bits that an instruction has for it.
+    pub(super) fn finish(mut self, history: u32) -> Option<Finished> {
+        if self.too_far || history >= MOST_PLANES {
+            return None;
+        }
+        let stride = history * self.vectors.bytes() as u32;
+        let history = history as usize;
         self.extent.history = self.extent.history.max(history);
-        let stride = (history * self.vectors.bytes()) as u32;
         self.bytes.extend([0x48, 0x81, 0xC1]); // add rcx, stride
         self.bytes.extend(stride.to_le_bytes());
         self.bytes.extend([0x48, 0x87, 0xD6]); // xchg rsi, rdx
         self.bytes.extend([0x49, 0xFF, 0xC8]); // dec r8
         self.bytes.extend([0x0F, 0x85]); // jnz body
-        let back = -(self.bytes.len() as i64 + 4);
-        debug_assert!(body <= i32::MAX as usize);
-        self.bytes.extend((back as i32).to_le_bytes());
+        let back = i32::try_from(self.bytes.len() + 4).ok()?;
+        self.bytes.extend((-back).to_le_bytes());
         self.bytes.extend([0xC5, 0xF8, 0x77, 0xC3]); // vzeroupper; ret
-        Finished { vectors: self.vectors, bytes: self.bytes, extent: self.extent, stride: history }
+        Some(Finished { vectors: self.vectors, bytes: self.bytes, extent: self.extent, stride: history })
     }
 }
 
@@ -180,5 +186,22 @@ impl Finished {
     /// Planes of history from one tick to the next.
     pub(super) fn stride(&self) -> usize {
         self.stride
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plane_beyond_the_reach_of_an_instruction_makes_no_code() {
+        let code = |plane, history| {
+            let mut encoder = Encoder::new(Vectors::Avx2);
+            encoder.instruction(Opcode::LOAD, 0, 0, Operand::Memory(Place::Fixed(plane)));
+            encoder.finish(history)
+        };
+        assert!(code(MOST_PLANES - 1, MOST_PLANES - 1).is_some());
+        assert!(code(MOST_PLANES, 0).is_none());
+        assert!(code(0, MOST_PLANES).is_none());
     }
 }

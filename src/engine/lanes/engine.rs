@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Compiled, Machine, Path};
-use crate::base::ValueId;
+use crate::base::{Diagnostic, ValueId};
 use crate::compile::Program;
 use crate::engine::pulses::PulseMeter;
 use crate::engine::{Engine, Pulses};
@@ -23,20 +23,24 @@ pub struct LanesEngine {
 
 impl LanesEngine {
     /// Puts `program` at tick 0 with all inputs 0, on the best path this machine has.
-    #[must_use]
-    pub fn new(program: &Program) -> Self {
+    ///
+    /// # Errors
+    /// `E005` when the program is too large for it.
+    pub fn new(program: &Program) -> Result<Self, Diagnostic> {
         Self::on(program, Path::best())
     }
 
     /// The same on a path of choice.
-    #[must_use]
-    pub fn on(program: &Program, path: Path) -> Self {
-        let compiled = Arc::new(Compiled::new(program, &program.observed(), path));
+    ///
+    /// # Errors
+    /// As for [`LanesEngine::new`].
+    pub fn on(program: &Program, path: Path) -> Result<Self, Diagnostic> {
+        let compiled = Arc::new(Compiled::new(program, &program.observed(), path)?);
         let mut machine = Machine::new(compiled);
         machine.pass(1);
         let counted: Vec<_> = program.counted().collect();
         let pulses = PulseMeter::new(counted.len());
-        Self { machine, stop: program.stop, at: 0, inputs_changed: false, watched: Vec::new(), counted, pulses }
+        Ok(Self { machine, stop: program.stop, at: 0, inputs_changed: false, watched: Vec::new(), counted, pulses })
     }
 
     fn is_high(&self, counted: usize, tick: usize) -> bool {

@@ -64,8 +64,16 @@ pub(super) struct Store {
     pub(super) data: Vec<Bit>,
 }
 
-/// Lowers `program`, keeping the bits of the values that are `wanted`.
-pub(super) fn lower(program: &Program, wanted: &[ValueId]) -> Lowered {
+/// Gates, and leaves, at most: each takes some 250 bytes until its code is made.
+const MOST_GATES: usize = 2 << 20;
+/// Bits of all ops at most: four bytes each.
+const MOST_BITS: u64 = 64 << 20;
+
+/// Lowers `program`, keeping the bits of the values that are `wanted`. `None` when it is too large for that.
+pub(super) fn lower(program: &Program, wanted: &[ValueId]) -> Option<Lowered> {
+    if bits(program) > MOST_BITS {
+        return None;
+    }
     let mut gates = Gates::new();
     let inputs = program.inputs.iter().map(|port| leaves(&mut gates, port.width, 0)).collect();
     let registers = program.graph.registers.iter().map(|r| leaves(&mut gates, r.width, 0)).collect();
@@ -77,8 +85,15 @@ pub(super) fn lower(program: &Program, wanted: &[ValueId]) -> Lowered {
     let small_rams = small.collect();
     let mut lowering =
         Lowering { program, gates, inputs, registers, small_rams, lookups: Vec::new(), bits: Vec::new() };
-    lowering.place_nodes();
+    lowering.place_nodes()?;
     lowering.finish(wanted)
+}
+
+/// The bits of all values of a program, and of the RAMs that may become gates.
+fn bits(program: &Program) -> u64 {
+    let nodes = program.graph.nodes.iter().map(|node| u64::from(node.width));
+    let rams = program.graph.rams.iter().map(|ram| ram.image.depth().min(RAM_OF_GATES) as u64);
+    nodes.chain(rams).sum()
 }
 
 fn leaves(gates: &mut Gates, width: u32, stage: u32) -> Vec<Bit> {
@@ -102,12 +117,18 @@ struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    fn place_nodes(&mut self) {
+    fn place_nodes(&mut self) -> Option<()> {
         for node in &self.program.graph.nodes {
             let bits = self.node(node.op, node.width);
             debug_assert_eq!(bits.len(), node.width as usize, "{:?}", node.op);
             self.bits.push(bits);
+            self.within_limit()?;
         }
+        Some(())
+    }
+
+    fn within_limit(&self) -> Option<()> {
+        (self.gates.len() <= MOST_GATES).then_some(())
     }
 
     fn node(&mut self, op: Op, width: u32) -> Vec<Bit> {
@@ -152,7 +173,7 @@ impl Lowering<'_> {
         if depth * width as usize > ROM_OF_GATES {
             return self.read_by_lane(Memory::Rom(rom), address, width);
         }
-        let table: Vec<_> = image.words().map(|word| constant(word, width)).collect();
+        let table: Vec<_> = image.words().iter().map(|&word| constant(word, width)).collect();
         self.gates.look_up(&table, &self.bits[address.index()], width as usize)
     }
 
@@ -172,8 +193,8 @@ impl Lowering<'_> {
         word
     }
 
-    fn finish(mut self, wanted: &[ValueId]) -> Lowered {
-        let mut states = self.register_states();
+    fn finish(mut self, wanted: &[ValueId]) -> Option<Lowered> {
+        let mut states = self.register_states()?;
         let mut stores = Vec::new();
         for (i, ram) in self.program.graph.rams.iter().enumerate() {
             let word = |id: ValueId| self.bits[id.index()].clone();
@@ -182,20 +203,21 @@ impl Lowering<'_> {
             match self.small_rams[i].take() {
                 None => stores.push(Store { ram: RamId::new(i), enable, address, data }),
                 Some(words) => {
-                    for (at, (now, init)) in words.iter().zip(ram.image.words()).enumerate() {
+                    for (at, (now, &init)) in words.iter().zip(ram.image.words()).enumerate() {
                         let here = self.is_address(&address, at);
                         let write = self.gates.and(enable, here);
                         let next = self.gates.select(write, &data, now);
                         states.extend(planes(now, init, &next));
                     }
+                    self.within_limit()?;
                 }
             }
         }
         let values = wanted.iter().map(|&id| (id, self.bits[id.index()].clone())).collect();
-        Lowered { gates: self.gates, inputs: self.inputs, states, lookups: self.lookups, stores, values }
+        Some(Lowered { gates: self.gates, inputs: self.inputs, states, lookups: self.lookups, stores, values })
     }
 
-    fn register_states(&mut self) -> Vec<State> {
+    fn register_states(&mut self) -> Option<Vec<State>> {
         let mut states = Vec::new();
         for (register, now) in self.program.graph.registers.iter().zip(&self.registers) {
             let mut next = self.bits[register.next.index()].clone();
@@ -207,8 +229,9 @@ impl Lowering<'_> {
                 next = self.gates.select(self.bits[clear.index()][0], &init, &next);
             }
             states.extend(planes(now, register.init, &next));
+            self.within_limit()?;
         }
-        states
+        Some(states)
     }
 
     fn is_address(&mut self, address: &[Bit], at: usize) -> Bit {

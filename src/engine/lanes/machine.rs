@@ -28,7 +28,7 @@ impl Machine {
         let memory = vec![0u64; compiled.words_of_memory() + 8];
         let start = memory.as_ptr().align_offset(64).min(8);
         let lanes = compiled.lanes();
-        let rams = compiled.ram_images.iter().map(|image| image.repeat(lanes)).collect();
+        let rams = compiled.rams.iter().map(|image| image.words().repeat(lanes)).collect();
         let mut machine = Self { compiled, memory, start, parity: 0, rams };
         let words = machine.compiled.words;
         machine.regions().fixed[words..2 * words].fill(u64::MAX);
@@ -62,10 +62,10 @@ impl Machine {
                 *word = if init { *word | mask } else { *word & !mask };
             }
         }
-        for (ram, image) in self.rams.iter_mut().zip(&self.compiled.ram_images) {
-            for (lane, words) in ram.chunks_exact_mut(image.len().max(1)).enumerate() {
+        for (ram, image) in self.rams.iter_mut().zip(&self.compiled.rams) {
+            for (lane, words) in ram.chunks_exact_mut(image.depth().max(1)).enumerate() {
                 if mask[lane / 64] >> (lane % 64) & 1 == 1 {
-                    words.copy_from_slice(image);
+                    words.copy_from_slice(image.words());
                 }
             }
         }
@@ -146,7 +146,7 @@ impl Machine {
             let mut lanes = to_lanes(address.iter().map(|&plane| self.memory[at(plane)]));
             for (lane, value) in lanes.iter_mut().enumerate() {
                 let words = match memory {
-                    Memory::Rom(rom) => &compiled.rom_words[rom.index()][..],
+                    Memory::Rom(rom) => compiled.roms[rom.index()].words(),
                     Memory::Ram(ram) => self.ram(compiled, ram.index(), group * 64 + lane),
                 };
                 *value = usize::try_from(*value).ok().and_then(|at| words.get(at)).copied().unwrap_or(0);
@@ -158,7 +158,7 @@ impl Machine {
     }
 
     fn ram(&self, compiled: &Compiled, ram: usize, lane: usize) -> &[u64] {
-        let depth = compiled.ram_images[ram].len();
+        let depth = compiled.rams[ram].depth();
         &self.rams[ram][lane * depth..][..depth]
     }
 
@@ -172,7 +172,7 @@ impl Machine {
 
     fn write_rams(&mut self, compiled: &Compiled) {
         for store in &compiled.layout.stores {
-            let depth = compiled.ram_images[store.ram.index()].len();
+            let depth = compiled.rams[store.ram.index()].depth();
             for group in 0..compiled.words {
                 let word = |plane: &u32| self.memory[self.start + *plane as usize * compiled.words + group];
                 let addresses = to_lanes(store.address.iter().map(word));

@@ -18,6 +18,7 @@ mod lower;
 mod machine;
 mod portable;
 mod segment;
+mod straight;
 mod tables;
 mod transpose;
 mod words;

@@ -1,8 +1,8 @@
 //! Planes computed one operation after another, in plain Rust: for machines that the code generator does not know, and
 //! as its twin in the tests.
 
-use super::cover::{Function, Step, Straight};
 use super::segment::Place;
+use super::straight::{Function, Step, Straight};
 
 /// 64-lane words of a plane: enough lanes to make the choice of the operation cheap.
 pub(super) const WORDS: usize = 16;

@@ -6,9 +6,9 @@
 
 use std::collections::HashMap;
 
-use super::cover::{Cell, Function};
 use super::gates::{Bit, Gate, Gates};
 use super::segment::Segment;
+use super::straight::{Cell, Function};
 
 /// How many cuts of a gate are kept.
 const CUTS: usize = 6;
@@ -98,6 +98,7 @@ impl Cuts {
             best.insert(gate, cuts[0]);
             let shared = cuts[0].flow / users[&gate].max(1) as f32;
             cuts.push(Cut::trivial(gate, shared));
+            cuts.shrink_to_fit();
             kept.insert(gate, cuts);
         }
         Self { best }

@@ -28,7 +28,7 @@ pub(in crate::engine) fn program(graph: Graph, stop: Option<ValueId>) -> Program
     };
     compile_graph(Program {
         owner: vec![OwnerId::new(0); graph.nodes.len()],
-        owners: vec![Owner { parent: None, module: "top".into(), parameters: Vec::new() }],
+        owners: vec![Owner { parent: None, module: "top".into() }],
         inputs,
         outputs: vec![port("out".into(), last)],
         pulses: Vec::new(),
@@ -154,7 +154,7 @@ pub(in crate::engine) fn graph(choices: &[u64], ops: usize) -> Graph {
 /// Runs both engines side by side and compares every observed value at every tick.
 fn agree(program: &Program, path: Path, stimulus: &[[u64; 3]]) -> Result<(), TestCaseError> {
     let mut plain = Interpreter::new(Arc::new(program.clone()));
-    let mut lanes = LanesEngine::on(program, path);
+    let mut lanes = LanesEngine::on(program, path).expect("lanes");
     for (tick, words) in stimulus.iter().enumerate() {
         for (input, port) in program.inputs.iter().enumerate() {
             plain.set_input(input, words[input] & mask(port.width));
@@ -199,7 +199,7 @@ proptest! {
         let program = program(made, Some(stop));
         for path in Path::all() {
             let mut plain = Interpreter::new(Arc::new(program.clone()));
-            let mut lanes = LanesEngine::on(&program, path);
+            let mut lanes = LanesEngine::on(&program, path).expect("lanes");
             for (input, port) in program.inputs.iter().enumerate() {
                 plain.set_input(input, words[input] & mask(port.width));
                 lanes.set_input(input, words[input] & mask(port.width));
@@ -212,4 +212,38 @@ proptest! {
             }
         }
     }
+}
+
+/// `count` RAMs of 4096 bytes, which share their image.
+pub(in crate::engine) fn many_rams(count: usize) -> Program {
+    let mut graph = Graph::default();
+    let image = MemoryImage::from_words(8, (0..4096).map(|i| i & 255));
+    let address = graph.push(Op::Input(0), 12);
+    let enable = graph.push(Op::Const(0), 1);
+    let data = graph.push(Op::Const(0), 8);
+    for i in 0..count {
+        graph.rams.push(Ram { image: image.clone(), write: MemoryWrite { enable, address, data } });
+        graph.push(Op::RamRead(RamId::new(i), address), 8);
+    }
+    program(graph, None)
+}
+
+/// `count` multiplications of 64 bits, each by the last one's result.
+fn many_multipliers(count: usize) -> Program {
+    let mut graph = Graph::default();
+    let factor = graph.push(Op::Input(0), 64);
+    (0..count).fold(factor, |last, _| graph.push(Op::Mul(last, factor), 64));
+    program(graph, None)
+}
+
+#[test]
+fn what_is_too_large_for_lanes_is_refused_before_its_memory_is_taken() {
+    for path in Path::all() {
+        assert!(LanesEngine::on(&many_rams(2), path).is_ok(), "{path:?}");
+        let refused = LanesEngine::on(&many_rams(2000), path).expect_err("4 GiB and more");
+        assert_eq!(refused.code, "E005");
+        assert!(refused.message.contains("MiB for its lanes"), "{}", refused.message);
+    }
+    let refused = LanesEngine::new(&many_multipliers(500)).expect_err("3,000,000 gates");
+    assert!(refused.message.contains("more gates than it takes"), "{}", refused.message);
 }

@@ -5,8 +5,8 @@ use cranelift_codegen::ir::types::{I8, I32, I64};
 use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::FunctionBuilder;
 
-use super::host::{Area, Assembler};
-use super::memory::Layout;
+use super::host::{Assembler, Records};
+use super::memory::{Area, Layout};
 use super::ops::{Emitter, Outside};
 use super::word::machine_type;
 use crate::base::{Diagnostic, Op, RamId, RomId, ValueId};
@@ -24,7 +24,7 @@ use crate::compile::Program;
 /// exit:   what only an observer wants; store all
 /// ```
 pub(super) fn compile(assembler: &mut Assembler, program: &Program, layout: &Layout) -> Result<usize, Diagnostic> {
-    assembler.function(|b, arguments| emit(b, arguments, program, layout))
+    assembler.function(Records::One(1), |b, arguments| emit(b, arguments, program, layout))
 }
 
 fn emit(

@@ -1,4 +1,5 @@
-//! The one place of unsafe code: owns generated machine code and calls it.
+//! The only unsafe code of this engine: owns generated machine code and calls it.
+#![allow(unsafe_code, reason = "machine code that was made while running can be called in no other way")]
 
 use std::mem::ManuallyDrop;
 
@@ -9,39 +10,30 @@ use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{FuncId, Module, default_libcall_names};
 
-use super::memory::Memory;
+use super::memory::{Area, Bytes, Layout, Memory};
 use crate::base::Diagnostic;
 
 /// What generated code is given: where the areas of a [`Memory`] are. The order is that of [`Area`].
 #[repr(C)]
 struct Context {
-    areas: [*mut u8; 5],
+    areas: [*mut u8; Area::COUNT],
 }
 
-/// An area of the memory, as a place in what generated code is given.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub(super) enum Area {
-    /// State of the present tick.
-    Now,
-    /// State of the next tick.
-    Next,
-    /// Inputs, observed values, values that pass from one function to another.
-    Wires,
-    /// Words of the writable memories.
-    Rams,
-    /// Words of the read-only memories.
-    Roms,
+/// What a function reads as its records.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Records {
+    /// So many words, whatever the count.
+    One(usize),
+    /// So many words for each that is counted.
+    Each(usize),
 }
 
-impl Area {
-    /// All, in order.
-    pub const ALL: [Area; Self::COUNT] = [Area::Now, Area::Next, Area::Wires, Area::Rams, Area::Roms];
-    /// How many there are.
-    pub const COUNT: usize = 5;
-
-    /// Where its address stands in what generated code is given.
-    pub fn offset(self) -> i32 {
-        self as i32 * size_of::<*mut u8>() as i32
+impl Records {
+    fn words(self, count: u64) -> Option<usize> {
+        match self {
+            Records::One(words) => Some(words),
+            Records::Each(words) => usize::try_from(count).ok().and_then(|count| count.checked_mul(words)),
+        }
     }
 }
 
@@ -53,7 +45,7 @@ pub(super) struct Assembler {
     module: JITModule,
     compiler: Compiler,
     builder: FunctionBuilderContext,
-    functions: Vec<FuncId>,
+    functions: Vec<(FuncId, Records)>,
 }
 
 impl Assembler {
@@ -76,12 +68,14 @@ impl Assembler {
         Ok(Self { module, compiler, builder: FunctionBuilderContext::new(), functions: Vec::new() })
     }
 
-    /// Compiles a function whose body `emit` writes, given its three arguments; `emit` returns the result.
+    /// Compiles a function that reads so many `records`, whose body `emit` writes, given its three arguments; `emit`
+    /// returns the result.
     ///
     /// # Errors
     /// `E001` when Cranelift refuses the code.
     pub fn function(
         &mut self,
+        records: Records,
         emit: impl FnOnce(&mut FunctionBuilder<'_>, [Value; 3]) -> Value,
     ) -> Result<usize, Diagnostic> {
         let signature = &mut self.compiler.func.signature;
@@ -100,22 +94,23 @@ impl Assembler {
         b.finalize(self.module.target_config());
         self.module.define_function(id, &mut self.compiler).map_err(refused)?;
         self.module.clear_context(&mut self.compiler);
-        self.functions.push(id);
+        self.functions.push((id, records));
         Ok(self.functions.len() - 1)
     }
 
-    /// The code, ready to be called.
+    /// The code, ready to be called on a memory of this layout.
     ///
     /// # Errors
     /// `E001` when the machine gives no memory for code.
-    pub fn finish(mut self) -> Result<Code, Diagnostic> {
+    pub fn finish(mut self, layout: &Layout) -> Result<Code, Diagnostic> {
         self.module.finalize_definitions().map_err(refused)?;
-        let pointers = self.functions.iter().map(|&id| {
+        let functions = self.functions.iter().map(|&(id, records)| {
             let code = self.module.get_finalized_function(id);
             // SAFETY: `code` is a function of just this signature and calling convention, given in `function`.
-            unsafe { std::mem::transmute::<*const u8, Function>(code) }
+            (unsafe { std::mem::transmute::<*const u8, Function>(code) }, records)
         });
-        Ok(Code { functions: pointers.collect(), module: ManuallyDrop::new(self.module) })
+        let areas = Area::ALL.map(|area| layout.size(area));
+        Ok(Code { functions: functions.collect(), areas, module: ManuallyDrop::new(self.module) })
     }
 }
 
@@ -126,7 +121,9 @@ fn refused(why: impl std::fmt::Display) -> Diagnostic {
 
 /// Machine code of a program.
 pub(super) struct Code {
-    functions: Vec<Function>,
+    functions: Vec<(Function, Records)>,
+    /// Bytes that the areas must have.
+    areas: [usize; Area::COUNT],
     module: ManuallyDrop<JITModule>,
 }
 
@@ -134,16 +131,22 @@ impl Code {
     /// Calls a function on a memory.
     ///
     /// `records` and `count` are what the function wants: see who emits it.
+    ///
+    /// # Panics
+    /// When an area of the memory is smaller than the code was made for, or there are too few records.
     pub fn call(&self, function: usize, memory: &mut Memory, records: &[u32], count: u64) -> u64 {
-        let areas = [&mut memory.now, &mut memory.next, &mut memory.wires, &mut memory.rams, &mut memory.roms]
-            .map(|area| area.pointer());
-        let context = Context { areas };
+        let (function, wanted) = self.functions[function];
+        assert!(wanted.words(count).is_some_and(|words| words <= records.len()), "too few records");
+        let areas = memory.areas();
+        let large_enough = areas.iter().zip(self.areas).all(|(area, size)| area.as_bytes().len() >= size);
+        assert!(large_enough, "a memory of another layout");
+        let context = Context { areas: areas.map(Bytes::pointer) };
         // SAFETY: the function lives as long as `self.module`. It reads and writes nothing but the areas and the
-        // records: its addresses are offsets that `Layout` gave out (of a memory made from the same layout, because
-        // an engine owns both), element addresses of memories that are limited to the element after the last, and
-        // `count` records of the length that its shape has. All areas are borrowed mutably here, so nobody else
-        // sees them change; they are vectors of `u64`, so every word is aligned and every bit pattern is a value.
-        unsafe { self.functions[function](&raw const context, records.as_ptr(), count) }
+        // records: its addresses are offsets that `Layout` gave out, which are below the sizes asserted above,
+        // element addresses of memories that are limited to the element after the last, and the records counted
+        // above. All areas are borrowed mutably here, so nobody else sees them change; they are vectors of `u64`, so
+        // every word is aligned and every bit pattern is a value.
+        unsafe { function(&raw const context, records.as_ptr(), count) }
     }
 }
 

@@ -3,8 +3,35 @@
 use std::collections::HashMap;
 
 use super::word::machine_type;
-use crate::base::{MemoryImage, Op, Rom, ValueId};
+use crate::base::{Diagnostic, MemoryImage, Op, Rom, ValueId};
 use crate::compile::Program;
+
+/// An area of the memory, as a place in what generated code is given.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) enum Area {
+    /// State of the present tick.
+    Now,
+    /// State of the next tick.
+    Next,
+    /// Inputs, observed values, values that pass from one function to another.
+    Wires,
+    /// Words of the writable memories.
+    Rams,
+    /// Words of the read-only memories.
+    Roms,
+}
+
+impl Area {
+    /// All, in order.
+    pub const ALL: [Area; Self::COUNT] = [Area::Now, Area::Next, Area::Wires, Area::Rams, Area::Roms];
+    /// How many there are.
+    pub const COUNT: usize = 5;
+
+    /// Where its address stands in what generated code is given.
+    pub fn offset(self) -> i32 {
+        self as i32 * size_of::<*mut u8>() as i32
+    }
+}
 
 /// Bytes that generated code reads and writes in the machine's own order, aligned for 64-bit words.
 #[derive(Debug)]
@@ -47,7 +74,7 @@ impl Bytes {
 
     /// Puts the words of an image at `offset`; what follows is left as it is.
     fn fill(&mut self, offset: u32, image: &MemoryImage) {
-        for (word, place) in image.words().zip((offset..).step_by(element_size(image))) {
+        for (&word, place) in image.words().iter().zip((offset..).step_by(element_size(image))) {
             self.write(place, image.width(), word);
         }
     }
@@ -71,6 +98,9 @@ fn element_size(image: &MemoryImage) -> usize {
     machine_type(image.width()).bytes() as usize
 }
 
+/// Bytes of an area at most: generated code adds offsets of 31 bits to its start.
+const MOST_BYTES: u32 = i32::MAX as u32 - 7;
+
 /// Hands out places one after another.
 #[derive(Default)]
 struct Allocator {
@@ -78,23 +108,32 @@ struct Allocator {
 }
 
 impl Allocator {
-    fn take(&mut self, bytes: u32) -> u32 {
+    /// A place for the words of an image and so many more.
+    fn image(&mut self, image: &MemoryImage, more: usize) -> Result<u32, Diagnostic> {
         self.align();
-        let place = self.size;
-        self.size += bytes;
-        place
+        self.take(self.size, (image.depth() + more).saturating_mul(element_size(image)))
     }
 
-    fn word(&mut self, width: u32) -> u32 {
+    fn word(&mut self, width: u32) -> Result<u32, Diagnostic> {
         let bytes = machine_type(width).bytes();
-        let place = self.size.next_multiple_of(bytes);
-        self.size = place + bytes;
-        place
+        self.take(self.size.next_multiple_of(bytes), bytes as usize)
+    }
+
+    fn take(&mut self, place: u32, bytes: usize) -> Result<u32, Diagnostic> {
+        let end = u32::try_from(bytes).ok().and_then(|bytes| place.checked_add(bytes));
+        self.size = end.filter(|end| *end <= MOST_BYTES).ok_or_else(too_large)?;
+        Ok(place)
     }
 
     fn align(&mut self) {
         self.size = self.size.next_multiple_of(8);
     }
+}
+
+fn too_large() -> Diagnostic {
+    let message =
+        format!("the circuit's words or memories take more than {} MiB as machine code has them", MOST_BYTES >> 20);
+    Diagnostic::new("E004", message).help("run with `--engine interpreter`, or make the circuit's memories smaller")
 }
 
 /// Where one group of ops (a module instance that shares its code, or all the rest) keeps what is its own.
@@ -118,11 +157,12 @@ pub(super) struct Layout {
     pub rams: Vec<u32>,
     /// By RAM: the group in whose part it stands.
     pub ram_homes: Vec<u32>,
-    /// By ROM. Its words are followed by a zero. ROMs of equal content share a place.
+    /// By ROM. Its words are followed by a zero. ROMs that share their words share a place.
     pub roms: Vec<u32>,
     /// By value: where to read it.
     places: Vec<Option<Place>>,
-    sizes: [u32; 4],
+    /// Bytes of each area.
+    sizes: [u32; Area::COUNT],
 }
 
 /// Where a value is read.
@@ -135,7 +175,10 @@ pub(super) enum Place {
 
 impl Layout {
     /// Lays out the values `stored` and all state; `group` tells whose each node is.
-    pub fn new(program: &Program, group: &[u32], stored: impl Fn(ValueId) -> bool) -> Self {
+    ///
+    /// # Errors
+    /// `E004` when an area is larger than an offset reaches.
+    pub fn new(program: &Program, group: &[u32], stored: impl Fn(ValueId) -> bool) -> Result<Self, Diagnostic> {
         let graph = &program.graph;
         let groups = group.iter().max().map_or(1, |&last| last as usize + 1);
         let mut members = vec![Vec::new(); groups];
@@ -152,25 +195,28 @@ impl Layout {
             for &id in members {
                 let node = graph.node(id);
                 match node.op {
-                    Op::Register(register) => layout.registers[register.index()] = state.word(node.width),
+                    Op::Register(register) => layout.registers[register.index()] = state.word(node.width)?,
                     Op::RamRead(ram, _) if ram_places[ram.index()].is_none() => {
-                        let image = &graph.rams[ram.index()].image;
-                        let size = (image.depth() + 2) * element_size(image);
-                        ram_places[ram.index()] = Some(rams.take(size as u32));
+                        ram_places[ram.index()] = Some(rams.image(&graph.rams[ram.index()].image, 2)?);
                         layout.ram_homes[ram.index()] = home;
                     }
                     _ => {}
                 }
                 if stored(id) || matches!(node.op, Op::Input(_)) {
-                    layout.wires.insert(id, wires.word(node.width));
+                    layout.wires.insert(id, wires.word(node.width)?);
                 }
             }
         }
         layout.rams = ram_places.into_iter().map(Option::unwrap_or_default).collect();
-        let roms = layout.place_roms(&graph.roms);
-        layout.sizes = [state.size, wires.size, rams.size, roms];
+        let roms = layout.place_roms(&graph.roms)?;
+        layout.sizes = [state.size, state.size, wires.size, rams.size, roms];
         layout.places = (0..graph.nodes.len()).map(|index| layout.find(program, ValueId::new(index))).collect();
-        layout
+        Ok(layout)
+    }
+
+    /// Bytes of an area.
+    pub fn size(&self, area: Area) -> usize {
+        self.sizes[area as usize] as usize
     }
 
     /// Where an observed value is read.
@@ -187,14 +233,18 @@ impl Layout {
         }
     }
 
-    fn place_roms(&mut self, roms: &[Rom]) -> u32 {
+    fn place_roms(&mut self, roms: &[Rom]) -> Result<u32, Diagnostic> {
         let mut known = HashMap::new();
         let mut allocator = Allocator::default();
-        for rom in roms {
-            let size = (rom.image.depth() + 1) * element_size(&rom.image);
-            self.roms.push(*known.entry(rom).or_insert_with(|| allocator.take(size as u32)));
+        for Rom { image } in roms {
+            let place = match known.get(&image.words().as_ptr()) {
+                Some(&place) => place,
+                None => allocator.image(image, 1)?,
+            };
+            known.insert(image.words().as_ptr(), place);
+            self.roms.push(place);
         }
-        allocator.size
+        Ok(allocator.size)
     }
 }
 
@@ -213,8 +263,8 @@ pub(super) struct Memory {
 impl Memory {
     /// The memory at power-on.
     pub fn new(program: &Program, layout: &Layout) -> Self {
-        let [state, wires, rams, roms] = layout.sizes.map(Bytes::new);
-        let mut memory = Memory { now: state, next: Bytes::new(layout.sizes[0]), wires, rams, roms };
+        let [now, next, wires, rams, roms] = layout.sizes.map(Bytes::new);
+        let mut memory = Memory { now, next, wires, rams, roms };
         let graph = &program.graph;
         for (register, &place) in graph.registers.iter().zip(&layout.registers) {
             memory.now.write(place, register.width, register.init);
@@ -226,6 +276,11 @@ impl Memory {
             memory.roms.fill(place, &rom.image);
         }
         memory
+    }
+
+    /// The areas, in the order of [`Area`].
+    pub fn areas(&mut self) -> [&mut Bytes; Area::COUNT] {
+        [&mut self.now, &mut self.next, &mut self.wires, &mut self.rams, &mut self.roms]
     }
 
     /// Ends the tick: writes memories and makes the next state the present one.
@@ -240,6 +295,7 @@ impl Memory {
             let (enable, address, data) = (read(ram.write.enable), read(ram.write.address), read(ram.write.data));
             let depth = ram.image.depth() as u64;
             if enable != 0 && address < depth {
+                // Within the area, all of which an offset reaches.
                 let place = place + address as u32 * element_size(&ram.image) as u32;
                 self.rams.write(place, ram.image.width(), data);
             }
@@ -253,5 +309,22 @@ impl Memory {
             Place::State(spot) => self.now.read(spot),
             Place::Wire(spot) => self.wires.read(spot),
         }
+    }
+}
+
+#[cfg(all(test, feature = "lanes"))]
+mod tests {
+    use super::*;
+    use crate::engine::lanes::tests::many_rams;
+
+    #[test]
+    fn an_area_that_no_offset_reaches_is_refused_before_its_memory_is_taken() {
+        let layout = |rams| {
+            let program = many_rams(rams);
+            Layout::new(&program, &vec![0; program.graph.nodes.len()], |_| true)
+        };
+        // 4098 words of four bytes each: the offsets of 131,008 end below 2^31.
+        assert_eq!(layout(131_008).expect("just fits").size(Area::Rams), 131_008 * 4 * 4098);
+        assert_eq!(layout(131_009).expect_err("too large").code, "E004");
     }
 }

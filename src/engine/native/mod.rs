@@ -57,7 +57,7 @@ impl Native {
     /// Compiles `program` and puts it at tick 0 with all inputs 0.
     ///
     /// # Errors
-    /// `E001` when no code can be made for this machine.
+    /// `E001` when no code can be made for this machine, `E004` when the program's memory is too large for it.
     pub fn new(program: Arc<Program>) -> Result<Self, Diagnostic> {
         let ops = program.graph.nodes.iter().filter(|node| !node.op.is_leaf()).count();
         Self::in_form(program, ops > FUSED_OPS)
@@ -80,13 +80,13 @@ impl Native {
             let (layout, schedule) = shared::compile(&mut assembler, &program, stored)?;
             (layout, Form::Shared(schedule))
         } else {
-            let layout = Layout::new(&program, &vec![0; stored.len()], |id| stored[id.index()]);
+            let layout = Layout::new(&program, &vec![0; stored.len()], |id| stored[id.index()])?;
             let function = fused::compile(&mut assembler, &program, &layout)?;
             (layout, Form::Fused(function))
         };
         let mut engine = Self {
             memory: Memory::new(&program, &layout),
-            code: assembler.finish()?,
+            code: assembler.finish(&layout)?,
             inputs: vec![0; program.inputs.len()],
             stale: false,
             watched: Reads::default(),

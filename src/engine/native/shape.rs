@@ -2,8 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::host::Area;
-use super::memory::{Home, Layout};
+use super::memory::{Area, Home, Layout};
 use super::plan::{Item, Unit, operands};
 use crate::base::{Graph, Node, Op, RamId, Register, RegisterId, RomId, ValueId};
 

@@ -45,12 +45,12 @@ pub(super) fn compile(
     let mut assignment = Assignment::new(graph, &homes);
     let mut units = assignment.units(graph);
     // Whatever is not shared after all had better be one with the rest; that may move levels, but little.
-    let lonely = Plan::new(program, &homes, &units, &stored).lonely();
+    let lonely = Plan::new(program, &homes, &units, &stored)?.lonely();
     if !lonely.is_empty() {
         lonely.iter().for_each(|&unit| assignment.dissolve(&units[unit]));
         units = assignment.units(graph);
     }
-    let plan = Plan::new(program, &homes, &units, &stored);
+    let plan = Plan::new(program, &homes, &units, &stored)?;
     let calls = plan.compile(assembler)?;
     Ok((plan.layout, Schedule { calls }))
 }
@@ -64,10 +64,10 @@ struct Plan {
 }
 
 impl Plan {
-    fn new(program: &Program, homes: &[u32], units: &[Unit], stored: &[bool]) -> Self {
+    fn new(program: &Program, homes: &[u32], units: &[Unit], stored: &[bool]) -> Result<Self, Diagnostic> {
         let graph = &program.graph;
         let crossing = crossing(graph, units);
-        let layout = Layout::new(program, homes, |id| stored[id.index()] || crossing[id.index()]);
+        let layout = Layout::new(program, homes, |id| stored[id.index()] || crossing[id.index()])?;
         let register_nodes = register_nodes(graph);
         let whole = Whole { graph, layout: &layout, homes, register_nodes: &register_nodes };
         let mut numbers = HashMap::new();
@@ -80,7 +80,7 @@ impl Plan {
         }
         let mut shapes: Vec<_> = numbers.into_iter().collect();
         shapes.sort_unstable_by_key(|(_, number)| *number);
-        Plan { layout, shapes: shapes.into_iter().map(|(shape, _)| shape).collect(), units: shaped }
+        Ok(Plan { layout, shapes: shapes.into_iter().map(|(shape, _)| shape).collect(), units: shaped })
     }
 
     /// Units of groups whose shape no other unit has.

@@ -4,7 +4,8 @@ use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value};
 use cranelift_frontend::FunctionBuilder;
 
-use super::host::{Area, Assembler};
+use super::host::{Assembler, Records};
+use super::memory::Area;
 use super::ops::{Emitter, Outside};
 use super::shape::{Shape, Site};
 use super::word::{constant, machine_type};
@@ -14,7 +15,7 @@ const FLAGS: MemFlagsData = MemFlagsData::trusted();
 
 /// Compiles the function of a shape. Its records are those of the units, its count is how many there are.
 pub(super) fn compile(assembler: &mut Assembler, shape: &Shape, record: usize) -> Result<usize, Diagnostic> {
-    assembler.function(|b, arguments| emit(b, arguments, shape, record))
+    assembler.function(Records::Each(record), |b, arguments| emit(b, arguments, shape, record))
 }
 
 fn emit(b: &mut FunctionBuilder<'_>, [context, records, count]: [Value; 3], shape: &Shape, length: usize) -> Value {

@@ -12,10 +12,16 @@ use super::elaborate::Template;
 use super::errors::Errors;
 use crate::base::Sources;
 
-/// Writes out the first of `templates`. `None` when something is wrong, which has been noted.
-pub(super) fn assemble(sources: &Sources, templates: &[Template<'_>], errors: &mut Errors) -> Option<Netlist> {
+/// Writes out the first of `templates`, whose parameters were `given`. `None` when something is wrong, which has been
+/// noted.
+pub(super) fn assemble(
+    sources: &Sources,
+    templates: &[Template<'_>],
+    given: &[(String, i64)],
+    errors: &mut Errors,
+) -> Option<Netlist> {
     let sizes = size::measure(templates, errors)?;
-    let mut netlist = place::place(Arc::new(sources.clone()), templates, &sizes);
+    let mut netlist = place::place(Arc::new(sources.clone()), templates, given, &sizes);
     roots::find(&mut netlist, errors);
     if errors.is_empty() {
         loops::find(&netlist, errors);

@@ -8,14 +8,20 @@ use crate::blocks::Direction;
 use crate::netlist::checked::{Cell, CellId, Drive, Net, NetId, Netlist, Part, Scope, ScopeId, Source};
 use crate::netlist::elaborate::{LocalInstance, LocalNet, LocalSource, Piece, Template, TemplateId};
 
-/// The flat netlist, its roots not yet found.
-pub(super) fn place(sources: Arc<Sources>, templates: &[Template<'_>], sizes: &[Size]) -> Netlist {
+/// The flat netlist, its roots not yet found. `given` are the parameters that are not at their defaults.
+pub(super) fn place(
+    sources: Arc<Sources>,
+    templates: &[Template<'_>],
+    given: &[(String, i64)],
+    sizes: &[Size],
+) -> Netlist {
     let netlist = Netlist {
         sources,
         scopes: Vec::with_capacity(sizes[0].scopes as usize),
         nets: Vec::with_capacity(sizes[0].nets as usize),
         cells: Vec::with_capacity(sizes[0].cells as usize),
         parameters: templates[0].parameters.clone(),
+        given: given.to_vec(),
         inputs: ports(&templates[0], Direction::Input),
         outputs: ports(&templates[0], Direction::Output),
     };
@@ -93,8 +99,7 @@ impl<'a> Placer<'a, '_> {
             let mut scope = Scope {
                 name: local.name.clone(),
                 parent: local.parent.map(|parent| base.scope(parent)),
-                module: local.module.clone(),
-                parameters: local.parameters.clone(),
+                module: Arc::clone(&local.module),
                 span: local.span,
             };
             if let (None, Some((instance, around))) = (local.parent, site.instance) {

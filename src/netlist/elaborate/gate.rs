@@ -1,8 +1,8 @@
 //! Gate primitives: terminals by position, the output first.
 
-use super::connect::{Bits, width};
 use super::inside::Inside;
 use super::names::Meaning;
+use super::pieces::{Bits, width};
 use super::ports::PortPlace;
 use super::template::LocalSource;
 use crate::base::Diagnostic;
@@ -13,6 +13,7 @@ use crate::netlist::syntax::{Expr, GateInstance};
 impl<'t> Inside<'_, '_, 't> {
     pub(super) fn gate(&mut self, gate: &'t GateInstance) {
         self.elaborator.count_parts(1 + gate.terminals.len() as u64, gate.span);
+        gate.name.iter().for_each(|name| self.elaborator.count_named(name));
         let name = match &gate.name {
             Some(name) => {
                 self.declare(name, Meaning::Instance);

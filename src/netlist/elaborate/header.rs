@@ -3,12 +3,13 @@
 use super::constant::{Const, Shape};
 use super::evaluate::{evaluate, evaluate_as, number};
 use super::names::{Meaning, Names};
+use super::range;
 use super::template::{LocalDrive, LocalNet, LocalScope, LocalSource, Override, Template};
 use crate::base::Diagnostic;
 use crate::base::word::MAX_WIDTH;
 use crate::blocks::Direction;
 use crate::netlist::errors::Errors;
-use crate::netlist::syntax::{Item, Module, Name, NetType, Parameter, ParameterKind, Port, Range};
+use crate::netlist::syntax::{Module, Name, NetType, Parameter, ParameterKind, Port, Range};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -22,6 +23,7 @@ pub(super) fn elaborate<'t>(
     for given in overrides {
         check_name(module, given).unwrap_or_else(|error| errors.push(error));
     }
+    range::check_attributes(module).into_iter().for_each(|error| errors.push(error));
     for parameter in &module.parameters {
         header.parameter(parameter, overrides).unwrap_or_else(|error| errors.push(error));
     }
@@ -33,12 +35,11 @@ pub(super) fn elaborate<'t>(
 }
 
 pub(super) fn empty(module: &Module) -> Template<'_> {
-    let name = module.name.text.to_string();
-    let (span, parameters) = (module.name.span, Vec::new());
+    let Name { text, span } = &module.name;
     Template {
         module,
         parameters: Vec::new(),
-        scopes: vec![LocalScope { parent: None, name: name.clone(), module: name, parameters, span }],
+        scopes: vec![LocalScope { parent: None, name: text.to_string(), module: (**text).into(), span: *span }],
         nets: Vec::new(),
         ports: 0,
         cells: Vec::new(),
@@ -48,11 +49,7 @@ pub(super) fn empty(module: &Module) -> Template<'_> {
 
 /// Whether a module has the parameter that is given.
 fn check_name(module: &Module, given: &Override<'_>) -> Result<()> {
-    let in_body = module.items.iter().filter_map(|item| match item {
-        Item::Parameter(parameter) => Some(parameter),
-        _ => None,
-    });
-    let all: Vec<&Parameter> = module.parameters.iter().chain(in_body).collect();
+    let all: Vec<&Parameter> = module.all_parameters().collect();
     let found = all.iter().find(|parameter| *parameter.name.text == *given.name);
     let message = match found {
         Some(parameter) if !parameter.local => return Ok(()),
@@ -75,7 +72,7 @@ struct Header<'t> {
 
 impl<'t> Header<'t> {
     fn parameter(&mut self, parameter: &'t Parameter, overrides: &[Override<'t>]) -> Result<()> {
-        let value = parameter_value(&self.names, parameter, overrides);
+        let value = parameter_value(&self.names, self.template.module, parameter, overrides);
         let meaning = value.as_ref().map_or(Meaning::Wrong, |value| Meaning::Constant(*value));
         self.names.declare(&parameter.name, meaning)?;
         if !parameter.local {
@@ -106,8 +103,19 @@ impl<'t> Header<'t> {
     }
 }
 
-/// A parameter's value: the one given, or its own; brought to its declared type.
-pub(super) fn parameter_value(names: &Names<'_>, parameter: &Parameter, given: &[Override<'_>]) -> Result<Const> {
+/// A parameter's value: the one given, or its own; brought to its declared type, and within the range that the module
+/// states.
+pub(super) fn parameter_value(
+    names: &Names<'_>,
+    module: &Module,
+    parameter: &Parameter,
+    given: &[Override<'_>],
+) -> Result<Const> {
+    let value = typed_value(names, parameter, given)?;
+    range::check(names, module, parameter, value.number(), given).map(|()| value)
+}
+
+fn typed_value(names: &Names<'_>, parameter: &Parameter, given: &[Override<'_>]) -> Result<Const> {
     let declared = match &parameter.kind {
         ParameterKind::Untyped => None,
         ParameterKind::Integer => Some(Shape::INTEGER),
@@ -125,7 +133,11 @@ pub(super) fn parameter_value(names: &Names<'_>, parameter: &Parameter, given: &
         (None, Some(shape)) => evaluate_as(names, &parameter.value, shape)?,
         (None, None) => evaluate(names, &parameter.value)?,
     };
-    let Some(shape) = declared else { return Ok(value) };
+    let Some(shape) = declared else {
+        // IEEE 1364-2005, 12.2.1: the sign alone leaves the range to the value, whose bits are then taken as signed.
+        let signed = value.shape.signed || matches!(parameter.kind, ParameterKind::Vector(_));
+        return Ok(Const { shape: Shape { signed, ..value.shape }, ..value });
+    };
     value.fitted(shape).ok_or_else(|| {
         let (kind, bits) = (if shape.signed { "signed" } else { "unsigned" }, shape.width);
         let message = format!("{} does not fit `{}`", value.number(), parameter.name.text);

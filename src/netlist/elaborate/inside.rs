@@ -1,12 +1,13 @@
 //! The inside of a module, item by item, loops written out.
 
 use std::collections::HashSet;
+use std::sync::Arc;
 
 use super::constant::Const;
 use super::evaluate::{evaluate, number};
 use super::names::{Meaning, Names};
 use super::template::{LocalNet, LocalScope, LocalSource, Override, Template};
-use super::{Elaborator, Waiting, connect, drives, header};
+use super::{Elaborator, Waiting, drives, header, pieces};
 use crate::base::{Diagnostic, Span};
 use crate::netlist::limits;
 use crate::netlist::syntax::{Expr, For, Item, Name, NetType, Parameter};
@@ -19,10 +20,8 @@ pub(super) fn elaborate<'t>(elaborator: &mut Elaborator<'_, 't>, waiting: Waitin
     let (module, damaged) = (ports.module, ports.module.damaged);
     let stand_in = header::empty(module);
     let template = std::mem::replace(&mut elaborator.templates[id.index()], stand_in);
-    let scope_parameters = template.parameters.clone();
     let mut inside =
         Inside { elaborator, template, names, overrides, scope: 0, unnamed: 0, damaged, unsure: unsure || damaged };
-    inside.template.scopes[0].parameters = scope_parameters;
     inside.items(&module.items);
     inside.check_drives();
     inside.elaborator.templates[id.index()] = inside.template;
@@ -61,7 +60,7 @@ impl<'t> Inside<'_, '_, 't> {
 
     fn items(&mut self, items: &'t [Item]) {
         for item in items {
-            if self.elaborator.is_exhausted() || self.elaborator.errors.is_full() {
+            if self.elaborator.exhausted || self.elaborator.errors.is_full() {
                 self.unsure = true;
                 return;
             }
@@ -87,7 +86,7 @@ impl<'t> Inside<'_, '_, 't> {
     }
 
     fn parameter(&mut self, parameter: &'t Parameter) {
-        let value = header::parameter_value(&self.names, parameter, &self.overrides);
+        let value = header::parameter_value(&self.names, self.template.module, parameter, &self.overrides);
         let Some(value) = self.keep(value) else {
             return self.declare(&parameter.name, Meaning::Wrong);
         };
@@ -101,12 +100,11 @@ impl<'t> Inside<'_, '_, 't> {
             self.report(diagnostic.at(parameter.name.span, "here").help("write `localparam`"));
         } else if let Some(value) = self.keep(header::as_i64(value, &parameter.name)) {
             self.template.parameters.push((parameter.name.text.to_string(), value));
-            self.template.scopes[0].parameters.clone_from(&self.template.parameters);
         }
     }
 
     fn declare_net(&mut self, name: &'t Name, net_type: &NetType, value: Option<&Expr>) {
-        self.elaborator.count_parts(1, name.span);
+        self.elaborator.count_named(name);
         let net = header::net(&self.names, name, net_type);
         let net = match self.keep(net) {
             Some(net) => net,
@@ -139,12 +137,12 @@ impl<'t> Inside<'_, '_, 't> {
         let span = name.span.to(value.span);
         let bits = self.bits(value);
         let bits = self.keep(bits);
-        let given = bits.as_ref().map_or(width, |bits| connect::width(bits));
+        let given = bits.as_ref().map_or(width, |bits| pieces::width(bits));
         if given != width {
-            self.report(connect::mismatch(value.span, given, width).at(name.span, connect::bit_count(width)));
+            self.report(pieces::mismatch(value.span, given, width).at(name.span, pieces::bit_count(width)));
         }
         match bits.filter(|_| given == width) {
-            Some(bits) => self.drive(&target, &connect::as_sources(&bits), span),
+            Some(bits) => self.drive(&target, &pieces::as_sources(&bits), span),
             None => self.drive(&target, &[(LocalSource::Wrong, width)], span),
         }
     }
@@ -161,12 +159,14 @@ impl<'t> Inside<'_, '_, 't> {
             self.unsure = true;
             return;
         };
+        let around = &self.template.scopes[self.scope as usize].module;
+        let module: Arc<str> = format!("{around}.{}", one.label.text).into();
         let mut seen = HashSet::new();
         loop {
             if !seen.insert(value) || seen.len() > limits::TURNS + 1 {
                 return self.endless(one, value, seen.len());
             }
-            match self.turn(one, value) {
+            match self.turn(one, &module, value) {
                 Some(next) => value = next,
                 None => return,
             }
@@ -174,16 +174,16 @@ impl<'t> Inside<'_, '_, 't> {
     }
 
     /// One turn; what the genvar is in the next, if there is one.
-    fn turn(&mut self, one: &'t For, value: i64) -> Option<i64> {
+    fn turn(&mut self, one: &'t For, module: &Arc<str>, value: i64) -> Option<i64> {
         self.names.open();
         self.declare(&one.genvar, Meaning::Constant(Const::integer(value)));
         let condition = evaluate(&self.names, &one.condition);
         let goes_on = self.keep(condition).map(|condition| condition.word != 0);
         self.unsure |= goes_on.is_none();
         let mut next = None;
-        if goes_on == Some(true) && !self.elaborator.is_exhausted() && !self.elaborator.errors.is_full() {
-            self.elaborator.count_parts(1, one.label.span);
-            self.block(one, value);
+        if goes_on == Some(true) && !self.elaborator.exhausted && !self.elaborator.errors.is_full() {
+            self.elaborator.count_named(&one.label);
+            self.block(one, module, value);
             let step = number(&self.names, &one.next);
             next = self.keep(step);
         }
@@ -191,15 +191,11 @@ impl<'t> Inside<'_, '_, 't> {
         next
     }
 
-    fn block(&mut self, one: &'t For, value: i64) {
-        let around = &self.template.scopes[self.scope as usize];
-        let mut parameters = around.parameters.clone();
-        parameters.push((one.genvar.text.to_string(), value));
+    fn block(&mut self, one: &'t For, module: &Arc<str>, value: i64) {
         let scope = LocalScope {
             parent: Some(self.scope),
             name: format!("{}[{value}]", one.label.text),
-            module: format!("{}.{}", around.module, one.label.text),
-            parameters,
+            module: Arc::clone(module),
             span: one.label.span,
         };
         self.template.scopes.push(scope);

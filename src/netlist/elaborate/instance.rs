@@ -3,10 +3,10 @@
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::connect::Bits;
 use super::evaluate::{evaluate, number};
 use super::inside::Inside;
 use super::names::Meaning;
+use super::pieces::Bits;
 use super::ports::PortPlace;
 use super::template::{LocalCell, LocalInstance, LocalSource, Override, PortKind};
 use crate::base::word::MAX_WIDTH;
@@ -17,7 +17,7 @@ use crate::netlist::syntax::{Connection, Expr, Instance, Module, Name};
 
 impl<'t> Inside<'_, '_, 't> {
     pub(super) fn instance(&mut self, instance: &'t Instance) {
-        self.elaborator.count_parts(1, instance.name.span);
+        self.elaborator.count_named(&instance.name);
         self.declare(&instance.name, Meaning::Instance);
         if let Some(block) = blocks::find(&instance.module.text) {
             self.block_instance(block, instance);
@@ -67,6 +67,10 @@ impl<'t> Inside<'_, '_, 't> {
         let names: Vec<_> = description.ports.iter().map(|port| port.name).collect();
         self.unknown_ports(open, description.name, &names, None);
         let body = self.elaborator.body(block, &parameters);
+        self.elaborator.tell_excess(instance.name.span);
+        let Some(body) = self.keep(body.map_err(|why| unbuildable(description, &parameters, &why, instance))) else {
+            return;
+        };
         self.cell(
             instance.name.text.to_string(),
             CellKind::Block { block, parameters },
@@ -97,8 +101,7 @@ impl<'t> Inside<'_, '_, 't> {
         }
         if let Err(why) = block.check(&parameters) {
             let diagnostic = Diagnostic::new("N015", format!("`{}` refuses its parameters: {why}", description.name));
-            let values: Vec<_> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-            self.report(diagnostic.at(instance.name.span, "at this instance").help(values.join(", ")));
+            self.report(diagnostic.at(instance.name.span, "at this instance").help(values(&parameters)));
             return None;
         }
         Some(parameters)
@@ -202,6 +205,19 @@ impl<'t> Inside<'_, '_, 't> {
         }
         good.then_some(overrides)
     }
+}
+
+/// Parameters as a list for a message.
+fn values(parameters: &Parameters) -> String {
+    let values: Vec<_> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    values.join(", ")
+}
+
+/// A block that accepts its parameters but cannot be made of ops with them.
+fn unbuildable(description: &Description, parameters: &Parameters, why: &str, instance: &Instance) -> Diagnostic {
+    let message = format!("`{}` cannot be built with these parameters: {why}", description.name);
+    let diagnostic = Diagnostic::new("N032", message).at(instance.name.span, "at this instance");
+    diagnostic.help(format!("lower the widths among {}", values(parameters)))
 }
 
 fn block_port<'a>(description: &'a Description, port: &'a PortDescription, parameters: &Parameters) -> PortPlace<'a> {

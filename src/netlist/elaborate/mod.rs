@@ -9,22 +9,24 @@ mod header;
 mod inside;
 mod instance;
 mod names;
+mod pieces;
 mod ports;
+mod range;
 mod template;
 
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::rc::Rc;
 use std::sync::Arc;
 
-pub(super) use template::{LocalInstance, LocalNet, LocalSource, Piece, Template, TemplateId};
+pub(super) use template::{LocalCell, LocalInstance, LocalNet, LocalSource, Piece, Template, TemplateId};
 
 use self::constant::Const;
 use self::names::Names;
 use self::template::{Override, TemplatePort};
 use super::errors::Errors;
 use super::limits;
-use super::syntax::Module;
-use crate::base::{Diagnostic, Span};
+use super::syntax::{Module, Name};
+use crate::base::Span;
 use crate::blocks::{Block, Body, Builder, Gate, Parameters};
 
 /// All modules in reach, by name.
@@ -50,6 +52,9 @@ pub(super) fn elaborate<'t>(
         gates: HashMap::new(),
         errors,
         parts: 0,
+        ops: 0,
+        image_words: 0,
+        exhausted: false,
     };
     let given = parameters.iter().map(|(name, value)| Override { name, value: Const::integer(*value), span: None });
     elaborator.template(top, given.collect());
@@ -88,14 +93,25 @@ struct Elaborator<'e, 't> {
     bodies: HashMap<(&'static str, Parameters), Arc<Body>>,
     gates: HashMap<(Gate, usize), Arc<Body>>,
     errors: &'e mut Errors,
+    /// What has been written out, as [`limits::PARTS`] counts.
     parts: u64,
+    /// Ops of the bodies, and words of their images, each body once.
+    ops: u64,
+    image_words: u64,
+    /// Whether one of these has passed its limit.
+    exhausted: bool,
+}
+
+/// How many parts something counts as for its name.
+fn parts_of(name: &Name) -> u64 {
+    1 + name.text.len() as u64 / 64
 }
 
 impl<'t> Elaborator<'_, 't> {
     /// Elaborates all that waits.
     fn run(&mut self) {
         while let Some(waiting) = self.waiting.pop_front() {
-            if !self.errors.is_full() && !self.is_exhausted() {
+            if !self.errors.is_full() && !self.exhausted {
                 inside::elaborate(self, waiting);
             }
         }
@@ -110,6 +126,9 @@ impl<'t> Elaborator<'_, 't> {
         if let Some(known) = self.known.get(&key) {
             return *known;
         }
+        let parameters = module.parameters.iter().map(|parameter| &parameter.name);
+        let names = parameters.chain(module.ports.iter().map(|port| &port.name));
+        self.count_parts(names.map(parts_of).sum(), module.name.span);
         self.used.insert(&module.name.text);
         let id = TemplateId::new(self.templates.len());
         let errors = self.errors.count;
@@ -124,28 +143,45 @@ impl<'t> Elaborator<'_, 't> {
     }
 
     /// The ops of a block, shared by all its instances of equal parameters.
-    fn body(&mut self, block: &'static Block, parameters: &Parameters) -> Arc<Body> {
+    fn body(&mut self, block: &'static Block, parameters: &Parameters) -> Result<Arc<Body>, String> {
         let key = (block.description().name, parameters.clone());
-        let body = self.bodies.entry(key).or_insert_with(|| Arc::new(Builder::build(block, parameters)));
-        Arc::clone(body)
+        if let Some(body) = self.bodies.get(&key) {
+            return Ok(Arc::clone(body));
+        }
+        let body = Arc::new(Builder::build(block, parameters)?);
+        self.ops += body.cost().ops;
+        self.image_words += body.image_words();
+        self.bodies.insert(key, Arc::clone(&body));
+        Ok(body)
     }
 
     fn gate(&mut self, gate: Gate, inputs: usize) -> Arc<Body> {
         Arc::clone(self.gates.entry((gate, inputs)).or_insert_with(|| Arc::new(gate.body(inputs))))
     }
 
-    /// Counts what is written out, and tells once when it is too much.
+    /// Counts what is written out.
     fn count_parts(&mut self, parts: u64, span: Span) {
-        let before = self.is_exhausted();
         self.parts = self.parts.saturating_add(parts);
-        if self.is_exhausted() && !before {
-            let message = format!("the circuit has more than {} parts", limits::PARTS);
-            let help = "nets, instances and pieces of connections count, each turn of a `for` anew";
-            self.errors.push(Diagnostic::new("N006", message).at(span, "the limit is passed here").help(help));
-        }
+        self.tell_excess(span);
     }
 
-    fn is_exhausted(&self) -> bool {
-        self.parts > limits::PARTS
+    /// Counts something with a name, which is kept for each anew.
+    fn count_named(&mut self, name: &Name) {
+        self.count_parts(parts_of(name), name.span);
+    }
+
+    /// Tells once when there is too much.
+    fn tell_excess(&mut self, span: Span) {
+        let excess = || {
+            let parts = limits::PARTS.exceeded(self.parts);
+            let ops = || limits::OPS.exceeded(self.ops);
+            parts.or_else(ops).or_else(|| limits::MEMORY_WORDS.exceeded(self.image_words))
+        };
+        if !self.exhausted
+            && let Some(diagnostic) = excess()
+        {
+            self.exhausted = true;
+            self.errors.push(diagnostic.at(span, "the limit is passed here"));
+        }
     }
 }

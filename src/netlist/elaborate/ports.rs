@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::connect::{Bits, bit_count, mismatch, width};
 use super::inside::Inside;
 use super::names::Meaning;
+use super::pieces::{Bits, bit_count, mismatch, width};
 use super::template::LocalSource;
 use crate::base::{Diagnostic, Span};
 use crate::netlist::syntax::{Connection, Expr, ExprKind, Name};

@@ -35,8 +35,7 @@ pub(in crate::netlist) struct Template<'t> {
 pub(in crate::netlist) struct LocalScope {
     pub(in crate::netlist) parent: Option<u32>,
     pub(in crate::netlist) name: String,
-    pub(in crate::netlist) module: String,
-    pub(in crate::netlist) parameters: Vec<(String, i64)>,
+    pub(in crate::netlist) module: Arc<str>,
     pub(in crate::netlist) span: Span,
 }
 

@@ -5,19 +5,22 @@ use std::rc::Rc;
 use super::lexer::Kind;
 use super::parser::{Parsed, Parser};
 use super::refuse;
-use super::tree::{Expr, Module, NetType, Parameter, ParameterKind, Port, Range};
+use super::tree::{Attribute, Expr, Module, Name, NetType, Parameter, ParameterKind, Port, Range};
+use crate::base::Diagnostic;
 use crate::blocks::Direction;
 
 impl Parser<'_> {
     /// `module name #(...) (...); ... endmodule`
-    pub(super) fn module(&mut self) -> Option<Module> {
+    pub(super) fn module(&mut self, attributes: Vec<Attribute>) -> Option<Module> {
         let errors = self.errors();
         self.bump();
         let Ok(name) = self.name("the module") else {
             self.recover();
             return None;
         };
-        let mut module = Module { name, parameters: Vec::new(), ports: Vec::new(), items: Vec::new(), damaged: false };
+        let attributes = attributes.into_iter().map(|attribute| (attribute.name.text.clone(), attribute)).collect();
+        let (parameters, ports, items) = (Vec::new(), Vec::new(), Vec::new());
+        let mut module = Module { name, attributes, parameters, ports, items, damaged: false };
         if self.header(&mut module).is_err() {
             self.recover();
         }
@@ -93,7 +96,7 @@ impl Parser<'_> {
     fn ports(&mut self, ports: &mut Vec<Port>) -> Parsed<()> {
         let mut shared: Option<(Direction, Rc<NetType>)> = None;
         loop {
-            let fraction = self.attributes()?;
+            let fraction = self.fraction()?;
             if let Some(direction) = self.direction()? {
                 shared = Some((direction, self.net_type(fraction)?));
             }
@@ -166,36 +169,44 @@ impl Parser<'_> {
         Ok(Some(Range { msb, lsb, span: open.to(close) }))
     }
 
-    /// Attributes, if there are any: the value of `fraction`; others mean nothing here.
-    pub(super) fn attributes(&mut self) -> Parsed<Option<Expr>> {
-        let mut fraction = None;
+    /// Attributes, if there are any.
+    pub(super) fn attributes(&mut self) -> Parsed<Vec<Attribute>> {
+        let mut attributes = Vec::new();
         while self.take("(*").is_some() {
             loop {
-                let is_fraction = self.at_word("fraction");
                 if self.token.kind != Kind::Word {
                     return self.expected("the name of an attribute");
                 }
+                let name = Name { text: self.text().into(), span: self.token.span };
                 self.bump();
-                if is_fraction {
-                    self.expect("=", "and the number of fraction bits after `fraction`")?;
-                    fraction = Some(self.expression()?);
-                } else if self.take("=").is_some() {
-                    self.attribute_value()?;
-                }
+                let value = if self.take("=").is_some() { self.attribute_value()? } else { None };
+                attributes.push(Attribute { name, value });
                 if self.take(",").is_none() {
                     self.expect("*)", "after the attributes")?;
                     break;
                 }
             }
         }
-        Ok(fraction)
+        Ok(attributes)
     }
 
-    fn attribute_value(&mut self) -> Parsed<()> {
+    fn attribute_value(&mut self) -> Parsed<Option<Expr>> {
         if self.token.kind == Kind::String {
             self.bump();
-            return Ok(());
+            return Ok(None);
         }
-        self.expression().map(|_| ())
+        self.expression().map(Some)
+    }
+
+    /// Attributes of a net, if there are any: the value of `fraction`; others mean nothing here.
+    pub(super) fn fraction(&mut self) -> Parsed<Option<Expr>> {
+        let found = self.attributes()?.into_iter().rfind(|attribute| *attribute.name.text == *"fraction");
+        match found {
+            Some(Attribute { name, value: None }) => {
+                let diagnostic = Diagnostic::new("N030", "`fraction` without a number");
+                self.error(diagnostic.at(name.span, "how many fraction bits?").help("as in `(* fraction = 3 *)`"))
+            }
+            found => Ok(found.and_then(|attribute| attribute.value)),
+        }
     }
 }

@@ -26,7 +26,7 @@ impl Parser<'_> {
     }
 
     fn item(&mut self, items: &mut Vec<Item>) -> Parsed<()> {
-        let fraction = self.attributes()?;
+        let fraction = self.fraction()?;
         match self.token.kind {
             Kind::Directive => {
                 self.directive();

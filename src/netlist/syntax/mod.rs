@@ -13,6 +13,6 @@ mod tree;
 
 pub(super) use parser::parse;
 pub(super) use tree::{
-    Binary, Connection, Expr, ExprKind, For, GateInstance, Instance, Item, Module, Name, NetType, Parameter,
+    Attribute, Binary, Connection, Expr, ExprKind, For, GateInstance, Instance, Item, Module, Name, NetType, Parameter,
     ParameterKind, Port, Range, Unary,
 };

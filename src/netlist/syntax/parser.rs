@@ -139,13 +139,14 @@ impl<'t> Parser<'t> {
 
     fn file(&mut self) -> Vec<Module> {
         let mut modules = Vec::new();
+        let mut attributes = Vec::new();
         while !self.at_end() && !self.lexer.errors.is_full() {
             match self.token.kind {
                 Kind::Directive => self.directive(),
                 Kind::Symbol("(*") => {
-                    let _ = self.attributes();
+                    attributes.extend(self.attributes().unwrap_or_default());
                 }
-                _ if self.at_word("module") => modules.extend(self.module()),
+                _ if self.at_word("module") => modules.extend(self.module(std::mem::take(&mut attributes))),
                 _ => self.stray(),
             }
         }

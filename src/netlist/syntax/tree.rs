@@ -1,5 +1,6 @@
 //! The syntax tree of a circuit file: what is written, before names and widths mean anything.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::number::Literal;
@@ -13,10 +14,20 @@ pub(in crate::netlist) struct Name {
     pub(in crate::netlist) span: Span,
 }
 
+/// `(* name = value *)`.
+#[derive(Debug)]
+pub(in crate::netlist) struct Attribute {
+    pub(in crate::netlist) name: Name,
+    /// None for a string, too: nothing reads one.
+    pub(in crate::netlist) value: Option<Expr>,
+}
+
 /// A module.
 #[derive(Debug)]
 pub(in crate::netlist) struct Module {
     pub(in crate::netlist) name: Name,
+    /// By name.
+    pub(in crate::netlist) attributes: BTreeMap<Box<str>, Attribute>,
     pub(in crate::netlist) parameters: Vec<Parameter>,
     pub(in crate::netlist) ports: Vec<Port>,
     pub(in crate::netlist) items: Vec<Item>,
@@ -42,6 +53,17 @@ pub(in crate::netlist) enum ParameterKind {
     Integer,
     /// A range, or `signed`, or both.
     Vector(Rc<NetType>),
+}
+
+impl Module {
+    /// All parameters, those of the header first.
+    pub(in crate::netlist) fn all_parameters(&self) -> impl Iterator<Item = &Parameter> {
+        let in_body = self.items.iter().filter_map(|item| match item {
+            Item::Parameter(parameter) => Some(parameter),
+            _ => None,
+        });
+        self.parameters.iter().chain(in_body)
+    }
 }
 
 /// What several declared names share.
