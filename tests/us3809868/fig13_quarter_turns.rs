@@ -79,8 +79,8 @@ fn two_quarter_turns_are_a_half_turn_and_every_reflection_undoes_itself() {
     let [j, k, l, m] = words;
     assert_eq!((twice(0, 0), twice(2, 2)), ([-j, -k, -l, -m], [-j, -k, -l, -m]));
     assert_eq!((twice(0, 2), twice(1, 1)), (words, words));
-    for reflection in 3..8 {
-        assert_eq!(twice(reflection, reflection), words, "{}", CONTROLS[reflection]);
+    for (reflection, name) in CONTROLS.iter().enumerate().skip(3) {
+        assert_eq!(twice(reflection, reflection), words, "{name}");
     }
 }
 
