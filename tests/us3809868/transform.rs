@@ -1,28 +1,25 @@
 //! A transformation circuit under test: numbers in, a pulse on `start`, numbers out.
 
-use stepwright::base::ValueId;
+use stepwright::simulation::Net;
 
-use super::machine::{Machine, shipped_program};
+use super::machine::{Machine, shipped_session};
 
 /// The longest transformation, FIG. 20, takes 23 ticks.
 const LIMIT: u32 = 100;
-
-/// A place and its width.
-type Place = (ValueId, u32);
 
 /// A circuit that is ready for the next start.
 pub struct Transformer {
     /// The circuit, to set and read beside a transformation.
     pub machine: Machine,
-    outputs: Vec<Place>,
-    done: Place,
-    error: Place,
+    outputs: Vec<Net>,
+    done: Net,
+    error: Net,
 }
 
 impl Transformer {
     /// A shipped circuit of US 3,809,868, with its outputs in order and the nets that are to be read beside.
     pub fn shipped(name: &str, outputs: &[&str], nets: &[&str]) -> Self {
-        let machine = Machine::new(&shipped_program(&format!("us3809868/{name}"), &[], nets));
+        let machine = Machine::new(&shipped_session(&format!("us3809868/{name}"), &[], nets));
         let outputs = outputs.iter().map(|output| machine.find(output)).collect();
         let (done, error) = (machine.find("done"), machine.find("error"));
         Self { machine, outputs, done, error }

@@ -1,8 +1,6 @@
 //! What FIG. 12 to 15 and 20 have in common: numerals, starts, errors.
 
-use stepwright::netlist;
-use stepwright::simulation::shipped::{self, Shelf};
-
+use super::machine::shipped_session;
 use super::transform::Transformer;
 
 /// Every numeral of a figure, but for those that stand outside its circuit.
@@ -33,9 +31,9 @@ fn started() -> impl Iterator<Item = Transformer> {
 #[test]
 fn every_numeral_is_an_instance_or_a_net_of_its_circuit() {
     for (name, numerals) in NUMERALS {
-        let text = shipped::text(&format!("us3809868/{name}.v")).expect("the circuit");
-        let netlist = netlist::load(name, text, None, &Shelf { near: "us3809868/" }, &[]);
-        let netlist = netlist.unwrap_or_else(|report| panic!("{report}"));
+        let design = shipped_session(&format!("us3809868/{name}"), &[], &[]).elaborate();
+        let design = design.unwrap_or_else(|report| panic!("{report}"));
+        let netlist = design.netlist();
         let top = netlist.nets.first().expect("a net").scope;
         let cells = netlist.cells.iter().filter(|cell| cell.scope == top).map(|cell| cell.name.as_str());
         let scopes = netlist.scopes.iter().filter(|scope| scope.parent == Some(top)).map(|scope| scope.name.as_str());
