@@ -8,6 +8,7 @@ mod fig10_control;
 mod fig12_rotation;
 mod fig13_quarter_turns;
 mod fig14_fig15;
+mod fig20_display;
 mod fig20_rotation3d;
 mod machine;
 mod multipliers;

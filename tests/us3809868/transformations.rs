@@ -3,13 +3,14 @@
 use super::machine::shipped_session;
 use super::transform::Transformer;
 
-/// Every numeral of a figure, but for those that stand outside its circuit.
-const NUMERALS: [(&str, &[u32]); 5] = [
+/// Every numeral of the figures; those of FIG. 20 are in two circuits.
+const NUMERALS: [(&str, &[u32]); 6] = [
     ("fig12_rotation", &[410, 412, 414, 416, 418, 420, 422, 424, 426, 428, 430, 432, 434, 436, 438]),
     ("fig13_quarter_turns", &[440, 442, 444, 446, 448, 450, 452, 454, 456, 458, 460, 462, 464]),
     ("fig14_scaling", &[470, 471, 472, 474, 476]),
     ("fig15_offset", &[480, 486, 488, 490]),
     ("fig20_rotation3d", &[612, 614, 616, 618, 620, 622, 624, 626, 628, 630, 632, 634, 636, 638]),
+    ("fig20_display", &[640, 642]),
 ];
 
 /// The circuits with a start, set up so that J = 30000 and L = -30000 give a J' beyond its word.
