@@ -137,16 +137,12 @@ module fig12_rotation (
     wire wrong;
     or or_wrong (wrong, overflow_432, overflow_434, overflow_436, overflow_438);
 
-    // Output registers: cleared instead of loaded when anything is wrong.
-    wire finish;
-    wire refuse;
-    assign finish = rank[3];
-    and and_refuse (refuse, finish, wrong);
-    register #(.WIDTH(16)) register_j (.clk(clk), .word(rounded_432), .enable(finish), .clear(refuse), .q(j_out));
-    register #(.WIDTH(16)) register_k (.clk(clk), .word(rounded_434), .enable(finish), .clear(refuse), .q(k_out));
-    register #(.WIDTH(16)) register_l (.clk(clk), .word(rounded_436), .enable(finish), .clear(refuse), .q(l_out));
-    register #(.WIDTH(16)) register_m (.clk(clk), .word(rounded_438), .enable(finish), .clear(refuse), .q(m_out));
-    register #(.WIDTH(1)) register_error (.clk(clk), .word(wrong), .enable(finish), .clear(load), .q(error));
+    // The results are taken in the last rank, refused when anything is wrong.
+    converter_outputs outputs (
+        .clk(clk), .load(load), .finish(rank[3]), .wrong(wrong),
+        .j_word(rounded_432), .k_word(rounded_434), .l_word(rounded_436), .m_word(rounded_438),
+        .j(j_out), .k(k_out), .l(l_out), .m(m_out), .error(error)
+    );
 
     rank_sequencer #(.RANKS(4)) rank_sequencer (
         .clk(clk), .start(start), .ready(1'b1), .load(load), .rank(rank), .done(done)

@@ -245,16 +245,16 @@ module fig20_rotation3d (
     and and_beyond (beyond_now, beyond, combine);
     trigger wrong_trigger (.clk(clk), .set(beyond_now), .reset(load), .q(wrong));
 
-    // Output registers: cleared instead of loaded when anything is wrong.
+    // The results are taken in the last rank, refused when anything is wrong.
     wire refuse;
     and and_refuse (refuse, finish, wrong);
-    register #(.WIDTH(16)) register_j (.clk(clk), .word(j_638), .enable(finish), .clear(refuse), .q(j_out));
-    register #(.WIDTH(16)) register_k (.clk(clk), .word(k_638), .enable(finish), .clear(refuse), .q(k_out));
-    register #(.WIDTH(16)) register_l (.clk(clk), .word(l_638), .enable(finish), .clear(refuse), .q(l_out));
-    register #(.WIDTH(16)) register_m (.clk(clk), .word(m_638), .enable(finish), .clear(refuse), .q(m_out));
+    converter_outputs outputs (
+        .clk(clk), .load(load), .finish(finish), .wrong(wrong),
+        .j_word(j_638), .k_word(k_638), .l_word(l_638), .m_word(m_638),
+        .j(j_out), .k(k_out), .l(l_out), .m(m_out), .error(error)
+    );
     register #(.WIDTH(16)) register_n (.clk(clk), .word(n_638), .enable(finish), .clear(refuse), .q(n_out));
     register #(.WIDTH(16)) register_p (.clk(clk), .word(p_638), .enable(finish), .clear(refuse), .q(p_out));
-    register #(.WIDTH(1)) register_error (.clk(clk), .word(wrong), .enable(finish), .clear(load), .q(error));
 endmodule
 
 // One of gates 620, 622, 624: passes all six coefficients while it is open, otherwise six times 0.
