@@ -1,4 +1,4 @@
-//! Every numeral of FIG. 3 to 8 of US 3,809,868 is the ending of an instance's or a net's name in its circuit.
+//! Every numeral of FIG. 3 to 8, 12 to 15 and 20 of US 3,809,868 is the ending of an instance's or a net's name in its circuit.
 
 use stepwright::simulation::Circuit;
 
@@ -32,4 +32,15 @@ fn every_numeral_of_figures_3_and_5_to_8_is_a_name() {
 #[test]
 fn every_numeral_of_figures_4_and_4a_inside_the_generator_is_a_name() {
     assert_named("fig04_function_generator", (80..=88).step_by(2).chain(89..=103).chain([105, 107, 109, 111]));
+}
+
+#[test]
+fn every_numeral_of_figures_12_to_15_and_20_is_a_name() {
+    assert_named("fig12_rotation", (410..=438).step_by(2));
+    assert_named("fig13_quarter_turns", (440..=464).step_by(2));
+    assert_named("fig14_scaling", [470, 471, 472, 474, 476]);
+    assert_named("fig15_offset", [480, 486, 488, 490]);
+    // Two circuits: FIG. 20 without and with its generators.
+    assert_named("fig20_rotation3d", (612..=638).step_by(2));
+    assert_named("fig20_display", (612..=642).step_by(2));
 }

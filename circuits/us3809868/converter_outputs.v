@@ -1,5 +1,5 @@
-// The end of the data converters, FIG. 3 and 5 to 8 of US 3,809,868: registers that take J, K, L and M in the last rank,
-// or are cleared when anything is wrong.
+// The end of the data converters, FIG. 3 and 5 to 8 of US 3,809,868, and of the transformations, FIG. 12, 14 and 20:
+// registers that take J, K, L and M in the last rank, or are cleared when anything is wrong.
 //
 // Chosen for all five converters, where the patent is silent:
 //  - each numbered module is clocked: it takes its inputs at the strobe of its rank and holds its output;

@@ -7,6 +7,7 @@ mod body;
 mod builder;
 mod describe;
 mod gate;
+mod sine;
 
 pub mod arithmetic;
 pub mod logic;

@@ -23,3 +23,13 @@ pub fn numbers(value: &Value) -> Vec<i64> {
 pub fn list(value: &Value) -> &[Value] {
     value.as_array().unwrap_or_else(|| panic!("{value} is no list"))
 }
+
+/// An entry as a real number.
+pub fn real(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+/// An entry as real numbers.
+pub fn reals(value: &Value) -> Vec<f64> {
+    list(value).iter().map(real).collect()
+}

@@ -10,6 +10,7 @@ pub mod divider;
 pub mod integrator;
 pub mod limit_inverter;
 pub mod multiplier;
+pub mod negator;
 pub mod ones_complement_accumulator;
 pub mod reference;
 pub mod rounder;

@@ -1,5 +1,6 @@
 //! Memory: registers, triggers, counters, stores.
 
+pub mod angle_converter;
 pub mod binary_counter;
 pub mod checksum;
 pub mod lfsr;

@@ -7,6 +7,7 @@
 
 use crate::base::MemoryImage;
 use crate::base::word::{clog2, mask};
+use crate::blocks::sine::rounded_sine;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, Parameters, PortDescription, Width};
 
 /// The block.
@@ -64,27 +65,6 @@ fn build(b: &mut Builder) {
 fn differences(entries: u64, sum_bits: u32) -> Vec<u64> {
     let rounded: Vec<u64> = (0..=entries).map(|i| rounded_sine(i, entries, sum_bits)).collect();
     rounded.windows(2).map(|pair| pair[1] - pair[0]).collect()
-}
-
-const FRACTION: u32 = 62;
-/// pi in units of 2^-62.
-const PI: i128 = 14_488_038_916_154_245_684;
-
-/// `2^sum_bits sin(i pi / 2 entries)`, rounded. The series is exact to about 2^-59; the tests show that no table in
-/// use comes near a tie, where that could decide.
-fn rounded_sine(i: u64, entries: u64, sum_bits: u32) -> u64 {
-    let angle = PI * i128::from(i) / (2 * i128::from(entries));
-    let square = (angle * angle) >> FRACTION;
-    let (mut sine, mut term) = (0, angle);
-    for k in 1.. {
-        if term == 0 {
-            break;
-        }
-        sine += term;
-        term = -((term * square) >> FRACTION) / (2 * k * (2 * k + 1));
-    }
-    let half = 1_i128 << (FRACTION - 1);
-    (((sine << sum_bits) + half) >> FRACTION) as u64
 }
 
 #[cfg(test)]
