@@ -63,7 +63,8 @@ module fig10_tool_control #(
     output wire done,
     output wire error
 );
-    wire started, trailing_329;
+    wire started, inhibit_329;
+    wire pulse_290, pulse_292;
 
     incremental_generator #(
         .WIDTH(WIDTH),
@@ -82,13 +83,15 @@ module fig10_tool_control #(
         .y0(y0),
         .quarters(quarters),
         .hold(hold_345),
+        .inhibit(inhibit_329),
         .x(x),
         .y(y),
         .up_304(up_304),
         .down_306(down_306),
         .up_314(up_314),
         .down_316(down_316),
-        .trailing_329(trailing_329),
+        .pulse_290(pulse_290),
+        .pulse_292(pulse_292),
         .started(started),
         .busy(busy),
         .done(done),
@@ -106,7 +109,6 @@ module fig10_tool_control #(
         .x_down(down_306),
         .y_up(up_314),
         .y_down(down_316),
-        .trailing(trailing_329),
         .acceleration(acceleration_338),
         .update(update_338)
     );
@@ -137,7 +139,6 @@ module fig10_tool_control #(
         .clk(clk),
         .clear(started),
         .lines({down_316, up_314, down_306, up_304}),
-        .trailing(trailing_329),
         .count(travelled_346)
     );
     presettable_memory #(
@@ -173,33 +174,37 @@ module fig10_tool_control #(
         .z(interval)
     );
 
-    // 341, 342: the delays after each pulse. 343, 344, 345: hold the clock while a pulse is too early. In the mode of
-    // claim 17 the gates are open all the time.
-    wire x_pulse, y_pulse, x_open, y_open;
+    // 341, 342: the delays after each pulse. 343, 344, 345: hold the clock while a pulse is too early.
+    wire x_pulse, y_pulse, x_trigger, y_trigger;
     wire busy_341, busy_342, hold_343, hold_344;
     or or_x_pulse (x_pulse, up_304, down_306);
     or or_y_pulse (y_pulse, up_314, down_316);
     programmable_delay #(.WIDTH(8)) delay_341 (
         .clk(clk),
-        .pulse(x_pulse),
-        .trailing(trailing_329),
+        .pulse(x_trigger),
         .interval(interval),
         .busy(busy_341),
         .remaining()
     );
     programmable_delay #(.WIDTH(8)) delay_342 (
         .clk(clk),
-        .pulse(y_pulse),
-        .trailing(trailing_329),
+        .pulse(y_trigger),
         .interval(interval),
         .busy(busy_342),
         .remaining()
     );
-    wire claim_17;
-    assign claim_17 = MODE == 4;
-    or or_x_open (x_open, x_pulse, claim_17);
-    or or_y_open (y_open, y_pulse, claim_17);
-    and and_343 (hold_343, x_open, busy_341);
-    and and_344 (hold_344, y_open, busy_342);
+    and and_343 (hold_343, x_pulse, busy_341);
+    and and_344 (hold_344, y_pulse, busy_342);
     or or_345 (hold_345, hold_343, hold_344);
+
+    // Claim 17: the delays run after each element of 262 to 270, also those that guard stages keep back, and no clock
+    // pulse begins meanwhile.
+    wire claim_17, x_element, y_element, waiting;
+    assign claim_17 = MODE == 4;
+    and and_x_element (x_element, pulse_290, claim_17);
+    and and_y_element (y_element, pulse_292, claim_17);
+    or or_x_trigger (x_trigger, x_pulse, x_element);
+    or or_y_trigger (y_trigger, y_pulse, y_element);
+    or or_waiting (waiting, busy_341, busy_342);
+    and and_inhibit_329 (inhibit_329, waiting, claim_17);
 endmodule

@@ -7,5 +7,6 @@ mod fig09_strokes;
 mod fig10_control;
 mod machine;
 mod multipliers;
+mod pulse_edges;
 mod tables;
 mod vectors;

@@ -33,7 +33,6 @@ static DESCRIPTION: Description = Description {
         PortDescription::input("x_down", Width::BIT, "line 306"),
         PortDescription::input("y_up", Width::BIT, "line 314"),
         PortDescription::input("y_down", Width::BIT, "line 316"),
-        PortDescription::input("trailing", Width::BIT, "1 in the last tick of a pulse"),
         PortDescription::output("acceleration", Width::Param("WIDTH"), "pulses per window, per window"),
         PortDescription::output("update", Width::BIT, "1 in the last tick of a window"),
     ],
@@ -81,8 +80,8 @@ fn window_end(b: &mut Builder) -> ValueId {
 /// The magnitude of the change of one axis' pulse count since the window before.
 fn axis(b: &mut Builder, up: &str, down: &str, update: ValueId) -> ValueId {
     let width = b.count("WIDTH");
-    let (clear, trailing) = (b.input("clear"), b.input("trailing"));
-    let (up, down) = (b.and(b.input(up), trailing), b.and(b.input(down), trailing));
+    let clear = b.input("clear");
+    let (up, down) = (b.falls(b.input(up)), b.falls(b.input(down)));
     let count = b.hold(width, 0);
     b.name_signed("count", count.q);
     let (up, down) = (b.zero_extend(up, width), b.zero_extend(down, width));
@@ -103,17 +102,16 @@ fn axis(b: &mut Builder, up: &str, down: &str, update: ValueId) -> ValueId {
 mod tests {
     use crate::blocks::bench::Bench;
 
-    /// Pulses of each axis in each window of 10 ticks, negative for down; the accelerations reported.
+    /// Pulses of each axis in each window of 20 ticks, negative for down; the accelerations reported.
     fn measure(windows: &[(i64, i64)]) -> Vec<u64> {
-        let mut bench = Bench::new("acceleration_meter", &[("WINDOW", 10), ("WIDTH", 8)]);
-        bench.set("trailing", 1);
+        let mut bench = Bench::new("acceleration_meter", &[("WINDOW", 20), ("WIDTH", 8)]);
         let mut reported = Vec::new();
         for (x, y) in windows {
-            for tick in 0..10 {
-                let line = |count: i64| i64::from(tick < count);
+            for tick in 0..20 {
+                let line = |count: i64| i64::from(tick % 2 == 0 && tick / 2 < count);
                 bench.set_all(&[("x_up", line(*x)), ("x_down", line(-x)), ("y_up", line(*y)), ("y_down", line(-y))]);
-                assert_eq!(bench.get("update"), u64::from(tick == 9));
-                if tick == 9 {
+                assert_eq!(bench.get("update"), u64::from(tick == 19));
+                if tick == 19 {
                     reported.push(bench.get("acceleration"));
                 }
                 bench.tick();
@@ -130,11 +128,14 @@ mod tests {
     }
 
     #[test]
-    fn pulses_count_at_their_trailing_edges_only() {
+    fn a_long_pulse_counts_once_at_its_trailing_edge() {
         let mut bench = Bench::new("acceleration_meter", &[("WINDOW", 10), ("WIDTH", 8)]);
-        bench.set("x_up", 1);
-        (0..9).for_each(|_| bench.tick());
-        bench.set("trailing", 1);
-        assert_eq!((bench.get("update"), bench.get("acceleration")), (1, 1));
+        let mut seen = Vec::new();
+        for x_up in [1, 1, 1, 0, 0] {
+            bench.set("x_up", x_up);
+            seen.push(bench.get("acceleration"));
+            bench.tick();
+        }
+        assert_eq!(seen, [0, 0, 0, 1, 1]);
     }
 }
