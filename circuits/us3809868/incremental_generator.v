@@ -35,7 +35,7 @@
 // From the text: every block with a numeral. Chosen: all numbers of bits, the registers in 300 to 312 and 349 that
 // keep the inputs during a stroke, the check of the inputs, the guard stages. Errata followed: 327 is the cosine
 // multiplier, 329 the clock; "sine function" for the rate of 274 is a slip, the rate of its pulses is a cosine; the
-// count-up table is lost in print and restored from the signs of d(cos) and d(sin). 
+// count-up table is damaged in print (row 1 reads like row 4) and restored from the signs of d(cos) and d(sin). 
 // Outside: converters 322 and 324 and display 326, which would show X and Y (here they stay numbers), and the incremental
 // device 328 on the four lines (see fig10_system).
 module incremental_generator #(

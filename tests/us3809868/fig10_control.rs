@@ -1,11 +1,7 @@
 //! FIG. 10: the path is the same in every mode of control, and pulses keep their distance.
 
 use super::machine::{Machine, Random, SMALL, Stroke, draw};
-use velocity_table::peak_acceleration;
-
-#[path = "../../examples/velocity_table.rs"]
-#[expect(dead_code, reason = "only its meter is wanted here")]
-mod velocity_table;
+use super::velocity::velocity_table::peak_acceleration;
 
 const CIRCUIT: &str = "us3809868/fig10_tool_control";
 
@@ -66,10 +62,14 @@ fn constant_delays_take_the_ticks_of_the_reading() {
     }
 }
 
+/// The reading's loop measures with windows of time, 338 here with integrators: it takes as long, and shakes as much.
 #[test]
-fn the_acceleration_loop_takes_the_ticks_of_the_reading() {
-    for (window, ticks) in [(1000, 77498), (2000, 96220)] {
-        assert_eq!(compared(2, &[("WINDOW", window)], &[("reference_340", 5)]).ticks, ticks, "window {window}");
+fn the_acceleration_loop_is_as_good_as_that_of_the_reading() {
+    for (window, ticks, peak) in [(1000, 77498, 23.9), (2000, 96220, 14.8)] {
+        let run = compared(2, &[("WINDOW", window)], &[("reference_340", 5)]);
+        let (ratio, measured) = (run.ticks as f64 / f64::from(ticks), peak_acceleration(&run.path));
+        assert!((ratio - 1.0).abs() < 0.015, "{} ticks every {window}", run.ticks);
+        assert!((measured / peak - 1.0).abs() < 0.015, "peak {measured} every {window}");
     }
 }
 
@@ -88,7 +88,7 @@ fn at_about_the_same_peak_acceleration_memory_beats_constant_delay_beats_the_loo
     let constant = compared(1, &[], &[("delay", 40)]);
     let regulated = compared(2, &[("WINDOW", 1000)], &[("reference_340", 5)]);
     // Peaks of the reading's own meter, which looks less often.
-    for (run, peak) in [(&memory, 25.2), (&constant, 27.1), (&regulated, 23.9)] {
+    for (run, peak) in [(&memory, 25.2), (&constant, 27.1), (&regulated, 24.1)] {
         let measured = peak_acceleration(&run.path);
         assert!((measured - peak).abs() < 0.2, "{measured} instead of {peak}");
     }
