@@ -13,7 +13,7 @@ const STROKE: Settings = &[("j", -900), ("k", 0), ("l", 0), ("m", 400), ("quarte
 const MODEL: Settings = &[("WIDTH", 10), ("ENTRIES", 32), ("ENTRY_WIDTH", 6)];
 
 /// What is compared: a name, parameters, inputs.
-const CONTROLS: &[(&str, Settings, Settings)] = &[
+pub const CONTROLS: &[(&str, Settings, Settings)] = &[
     ("none", &[("HALF", 2), ("MODE", 0)], &[]),
     ("none, slower clock: half of 6 ticks", &[("HALF", 6), ("MODE", 0)], &[]),
     ("none, slower clock: half of 10 ticks", &[("HALF", 10), ("MODE", 0)], &[]),
@@ -22,9 +22,9 @@ const CONTROLS: &[(&str, Settings, Settings)] = &[
     ("constant delay 24", &[("HALF", 2), ("MODE", 1)], &[("delay", 24)]),
     ("constant delay 40", &[("HALF", 2), ("MODE", 1)], &[("delay", 40)]),
     ("constant delay 60", &[("HALF", 2), ("MODE", 1)], &[("delay", 60)]),
-    ("loop 338-342, window 1000, step 1", &[("MODE", 2), ("WINDOW", 1000), ("STEP", 1)], &[("reference_340", 5)]),
-    ("loop 338-342, window 1000, step 2", &[("MODE", 2), ("WINDOW", 1000), ("STEP", 2)], &[("reference_340", 5)]),
-    ("loop 338-342, window 2000, step 1", &[("MODE", 2), ("WINDOW", 2000), ("STEP", 1)], &[("reference_340", 5)]),
+    ("loop 338-342, every 1000 ticks, step 1", &[("MODE", 2), ("WINDOW", 1000), ("STEP", 1)], &[("reference_340", 5)]),
+    ("loop 338-342, every 1000 ticks, step 2", &[("MODE", 2), ("WINDOW", 1000), ("STEP", 2)], &[("reference_340", 5)]),
+    ("loop 338-342, every 2000 ticks, step 1", &[("MODE", 2), ("WINDOW", 2000), ("STEP", 1)], &[("reference_340", 5)]),
     ("memory 347, 120 to 20 over 16 words", &[("MODE", 3), ("MIDDLE", 20), ("RAMP", 16)], &[]),
     ("memory 347, 120 to 12 over 24 words", &[("MODE", 3), ("MIDDLE", 12), ("RAMP", 24)], &[]),
     ("claim 17, interval 12", &[("MODE", 4)], &[("delay", 12)]),
@@ -36,11 +36,17 @@ const WINDOW: usize = 1500;
 
 fn main() -> Result<(), Report> {
     println!("| control | ticks | peak acceleration |\n|---|---|---|");
-    for (name, parameters, inputs) in CONTROLS {
-        let path = draw(parameters, inputs)?;
-        println!("| {name} | {} | {:.1} |", path.len(), peak_acceleration(&path));
+    for row in 0..CONTROLS.len() {
+        println!("{}", table_row(row)?);
     }
     Ok(())
+}
+
+/// A row of the table.
+pub fn table_row(row: usize) -> Result<String, Report> {
+    let (name, parameters, inputs) = CONTROLS[row];
+    let path = draw(parameters, inputs)?;
+    Ok(format!("| {name} | {} | {:.1} |", path.len(), peak_acceleration(&path)))
 }
 
 /// X and Y after each tick of the stroke.

@@ -1,7 +1,7 @@
 `default_nettype none
 
-// Function generator 16 of US 3,809,868, FIG. 9 (with the generators and the time control of FIG. 10 inside): one
-// tick is half a clock, and nothing holds the clock. A stroke of q quarters keeps `busy` high for q * 16384 ticks.
+// Function generator 16 of US 3,809,868, FIG. 9 (with the generators and the time control of FIG. 10 inside):
+// half a clock is two ticks, and nothing holds the clock. A stroke of q quarters keeps `busy` high for q * 32768 ticks.
 //
 // All blocks stand in module incremental_generator, which FIG. 10 uses, too: descend into generator_16. Its file says
 // how the circuit works, what is from the text and what is chosen, and when `error` goes high:
@@ -39,8 +39,7 @@ module fig09_function_generator #(
         .WIDTH(WIDTH),
         .ENTRIES(ENTRIES),
         .ENTRY_WIDTH(ENTRY_WIDTH),
-        .GUARD(GUARD),
-        .HALF(1)
+        .GUARD(GUARD)
     ) generator_16 (
         .clk(clk),
         .start(start),
@@ -52,13 +51,15 @@ module fig09_function_generator #(
         .y0(y0),
         .quarters(quarters),
         .hold(1'b0),
+        .inhibit(1'b0),
         .x(x),
         .y(y),
         .up_304(up_304),
         .down_306(down_306),
         .up_314(up_314),
         .down_316(down_316),
-        .trailing_329(),
+        .pulse_290(),
+        .pulse_292(),
         .started(),
         .busy(busy),
         .done(done),

@@ -10,15 +10,16 @@
 // MODE says where the interval comes from:
 //   0  no control: no delay
 //   1  constant: input `delay`
-//   2  as drawn: meter 338 measures the acceleration of the pulses, 339 compares it with reference 340, and the
-//      interval grows while it is above and shrinks while it is below. It starts long (MAX_DELAY).
+//   2  as drawn: analyzer 338 measures the acceleration of the pulses, 339 compares it with reference 340, and every
+//      WINDOW ticks the interval grows when it is above and shrinks when it is below. It starts long (MAX_DELAY).
 //   3  the alternative: counter 346 counts the way travelled and addresses memory 347, which gives the interval. The
 //      memory starts as a trapezoid of speed (see block presettable_memory) and is preset through the inputs preset_*.
 //   4  claim 17: input `delay`, but the clock is inhibited for that interval after each pulse, whatever comes next.
 //      The claim contradicts the description, which holds only a pulse that comes too early; both are here.
 //
-// From the text: every block with a numeral. Chosen: all numbers; the windowed form of analyzer 338; that 341 and 342
-// share one interval, held by regulator_341_342; that 343 and 344 also act in the second half of the clock, because
+// From the text: every block with a numeral. Motors 328a and 328b and tool 328c are in fig10_system, behind the lines.
+// Chosen: all numbers; how 338 is wired (see analyzer_338); that 341 and 342 share one interval, held by
+// regulator_341_342; that 343 and 344 also act in the second half of the clock, because
 // otherwise the pulses of multiplier 327 would escape them. Erratum followed: the pulses "from multipliers 325 and
 // 329" are those of 325 and 327.
 (* MODE_min = 0, MODE_max = 4, GUARD_min = 0, GUARD_max = 3 *)
@@ -29,7 +30,8 @@ module fig10_tool_control #(
     parameter GUARD = 0,
     parameter HALF = 2,           // ticks of half a clock
     parameter MODE = 2,           // 0 to 4, see above
-    parameter WINDOW = 1000,      // 338: ticks of a window
+    parameter WINDOW = 1000,      // 338: its time, 2^n ticks with the n for which that is just WINDOW or more; 339: how
+                                  // often the interval changes. At most 16384
     parameter MIN_DELAY = 4,      // 339: limits and step of the interval
     parameter MAX_DELAY = 120,
     parameter STEP = 1,
@@ -49,7 +51,7 @@ module fig10_tool_control #(
     input wire signed [15:0] y0,
     input wire [2:0] quarters,
     input wire [7:0] delay,            // modes 1 and 4: the interval in ticks
-    input wire [15:0] reference_340,   // mode 2: acceleration in pulses per window, per window
+    input wire [15:0] reference_340,   // mode 2: acceleration in pulses per 2^n ticks, per 2^n ticks
     input wire preset_write,           // mode 3: writes a word of 347
     input wire [7:0] preset_address,
     input wire [7:0] preset_word,
@@ -60,11 +62,13 @@ module fig10_tool_control #(
     output wire up_314,
     output wire down_316,
     output wire hold_345,
+    output wire started,               // 1 in the tick of a start that is accepted
     output wire busy,
     output wire done,
     output wire error
 );
-    wire started, trailing_329;
+    wire inhibit_329;
+    wire pulse_290, pulse_292;
 
     incremental_generator #(
         .WIDTH(WIDTH),
@@ -83,13 +87,15 @@ module fig10_tool_control #(
         .y0(y0),
         .quarters(quarters),
         .hold(hold_345),
+        .inhibit(inhibit_329),
         .x(x),
         .y(y),
         .up_304(up_304),
         .down_306(down_306),
         .up_314(up_314),
         .down_316(down_316),
-        .trailing_329(trailing_329),
+        .pulse_290(pulse_290),
+        .pulse_292(pulse_292),
         .started(started),
         .busy(busy),
         .done(done),
@@ -97,36 +103,38 @@ module fig10_tool_control #(
     );
 
     // 338, 339: acceleration, and its difference from reference 340.
-    wire [15:0] acceleration_338;
-    wire update_338;
-    wire signed [16:0] difference_339;
-    acceleration_meter #(.WINDOW(WINDOW), .WIDTH(16)) meter_338 (
+    localparam BITS = $clog2(WINDOW);
+    wire [BITS+1:0] acceleration_338;
+    wire signed [17:0] difference_339;
+    analyzer_338 #(.BITS(BITS)) analyzer_338 (
         .clk(clk),
         .clear(started),
-        .x_up(up_304),
-        .x_down(down_306),
-        .y_up(up_314),
-        .y_down(down_316),
-        .trailing(trailing_329),
-        .acceleration(acceleration_338),
-        .update(update_338)
+        .up_304(up_304),
+        .down_306(down_306),
+        .up_314(up_314),
+        .down_316(down_316),
+        .velocity_x(),
+        .velocity_y(),
+        .acceleration_x(),
+        .acceleration_y(),
+        .acceleration(acceleration_338)
     );
-    difference_circuit #(.WIDTH(16)) difference_circuit_339 (
-        .measured(acceleration_338),
-        .reference(reference_340),
+    difference_circuit #(.WIDTH(17)) difference_circuit_339 (
+        .measured({{(15 - BITS){1'b0}}, acceleration_338}),
+        .reference({1'b0, reference_340}),
         .difference(difference_339)
     );
     wire [7:0] regulated;
     delay_regulator #(
         .WIDTH(8),
-        .DIFFERENCE_WIDTH(17),
+        .DIFFERENCE_WIDTH(18),
+        .PERIOD(WINDOW),
         .MIN(MIN_DELAY),
         .MAX(MAX_DELAY),
         .STEP(STEP)
     ) regulator_341_342 (
         .clk(clk),
         .preset(started),
-        .update(update_338),
         .difference(difference_339),
         .interval(regulated)
     );
@@ -138,7 +146,6 @@ module fig10_tool_control #(
         .clk(clk),
         .clear(started),
         .lines({down_316, up_314, down_306, up_304}),
-        .trailing(trailing_329),
         .count(travelled_346)
     );
     presettable_memory #(
@@ -174,33 +181,37 @@ module fig10_tool_control #(
         .z(interval)
     );
 
-    // 341, 342: the delays after each pulse. 343, 344, 345: hold the clock while a pulse is too early. In the mode of
-    // claim 17 the gates are open all the time.
-    wire x_pulse, y_pulse, x_open, y_open;
+    // 341, 342: the delays after each pulse. 343, 344, 345: hold the clock while a pulse is too early.
+    wire x_pulse, y_pulse, x_trigger, y_trigger;
     wire busy_341, busy_342, hold_343, hold_344;
     or or_x_pulse (x_pulse, up_304, down_306);
     or or_y_pulse (y_pulse, up_314, down_316);
     programmable_delay #(.WIDTH(8)) delay_341 (
         .clk(clk),
-        .pulse(x_pulse),
-        .trailing(trailing_329),
+        .pulse(x_trigger),
         .interval(interval),
         .busy(busy_341),
         .remaining()
     );
     programmable_delay #(.WIDTH(8)) delay_342 (
         .clk(clk),
-        .pulse(y_pulse),
-        .trailing(trailing_329),
+        .pulse(y_trigger),
         .interval(interval),
         .busy(busy_342),
         .remaining()
     );
-    wire claim_17;
-    assign claim_17 = MODE == 4;
-    or or_x_open (x_open, x_pulse, claim_17);
-    or or_y_open (y_open, y_pulse, claim_17);
-    and and_343 (hold_343, x_open, busy_341);
-    and and_344 (hold_344, y_open, busy_342);
+    and and_343 (hold_343, x_pulse, busy_341);
+    and and_344 (hold_344, y_pulse, busy_342);
     or or_345 (hold_345, hold_343, hold_344);
+
+    // Claim 17: the delays run after each element of 262 to 270, also those that guard stages keep back, and no clock
+    // pulse begins meanwhile.
+    wire claim_17, x_element, y_element, waiting;
+    assign claim_17 = MODE == 4;
+    and and_x_element (x_element, pulse_290, claim_17);
+    and and_y_element (y_element, pulse_292, claim_17);
+    or or_x_trigger (x_trigger, x_pulse, x_element);
+    or or_y_trigger (y_trigger, y_pulse, y_element);
+    or or_waiting (waiting, busy_341, busy_342);
+    and and_inhibit_329 (inhibit_329, waiting, claim_17);
 endmodule

@@ -15,8 +15,11 @@
 // - pulses of 272 and 274 never coincide: those of 272 are delayed by half a clock.
 // The last clock of each word passes no pulse, so that the delayed half never falls into the next word or quadrant.
 //
-// Time: one tick is a half of clock 329, times HALF. The first half carries the pulses of 274 (sine), the second those
-// of 272 (cosine). A pulse is on for its whole half, longer when 329 is held; everything counts at its trailing edge.
+// Time: a clock of 329 has two halves of HALF ticks. The first half carries the pulses of 274 (sine), the second those
+// of 272 (cosine). A pulse is on for all ticks of its half but the last, longer when 329 is held. In that last tick all
+// pulses are off, so that each has edges of its own on lines 304, 306, 314, 316, and two pulses never touch (chosen:
+// the figures show no pulse shapes, but counters, delay circuits and motors answer edges). Counters 318 and 320 count
+// at the trailing edge on their lines: X and Y change at the end of the half.
 // A quarter takes ENTRIES * 2^ENTRY_WIDTH clocks, 8192 with the defaults.
 //
 // Start: `start` high for one tick, with all other inputs valid in that tick. From the next tick on `busy` is high
@@ -32,8 +35,9 @@
 // From the text: every block with a numeral. Chosen: all numbers of bits, the registers in 300 to 312 and 349 that
 // keep the inputs during a stroke, the check of the inputs, the guard stages. Errata followed: 327 is the cosine
 // multiplier, 329 the clock; "sine function" for the rate of 274 is a slip, the rate of its pulses is a cosine; the
-// count-up table is lost in print and restored from the signs of d(cos) and d(sin). Converters 322 and 324, display
-// 326 and the incremental device 328 are outside.
+// count-up table is damaged in print (row 1 reads like row 4) and restored from the signs of d(cos) and d(sin).
+// Outside: converters 322 and 324 and display 326, which would show X and Y (here they stay numbers), and the incremental
+// device 328 on the four lines (see fig10_system).
 (* GUARD_min = 0, GUARD_max = 3 *)
 module incremental_generator #(
     parameter WIDTH = 12,       // bits of multipliers 262 to 270
@@ -41,7 +45,7 @@ module incremental_generator #(
     parameter ENTRY_WIDTH = 6,  // bits of these words, of multipliers 325 and 327 and of counter 336
     parameter GUARD = 0,        // guard stages below counters 318 and 320, 0 to 3: the path gets smoother by their
                                 // rounding, the coefficients lose as many bits (chosen)
-    parameter HALF = 1          // ticks of half a clock
+    parameter HALF = 2          // ticks of half a clock, 2 at least
 ) (
     input wire clk,
     input wire start,
@@ -52,14 +56,16 @@ module incremental_generator #(
     input wire signed [15:0] x0,
     input wire signed [15:0] y0,
     input wire [2:0] quarters,      // 1 to 4
-    input wire hold,                // HOLD of clock 329
+    input wire hold,                // HOLD of clock 329: a pulse that is on stays on
+    input wire inhibit,             // no clock pulse begins (claim 17)
     output wire signed [15:0] x,    // counter 318
     output wire signed [15:0] y,    // counter 320
     output wire up_304,             // X pulses
     output wire down_306,
     output wire up_314,             // Y pulses
     output wire down_316,
-    output wire trailing_329,       // 1 in the last tick of a pulse
+    output wire pulse_290,          // elements of X: the pulses of 262 and 264, before any guard stages
+    output wire pulse_292,          // elements of Y: those of 268 and 270
     output wire started,            // 1 in the tick of a start that is accepted
     output wire busy,               // flip-flop 348
     output wire done,
@@ -69,7 +75,7 @@ module incremental_generator #(
 
     wire clear;
     wire stop;
-    wire phase_a, phase_b;
+    wire phase_a, phase_b, trailing_329, end_of_clock;
 
     // The check of a start (chosen).
     wire bad_300, bad_302, bad_310, bad_312, bad_349;
@@ -102,16 +108,17 @@ module incremental_generator #(
         .clk(clk),
         .run(busy),
         .hold(hold),
+        .inhibit(inhibit),
         .phase_a(phase_a),
         .phase_b(phase_b),
-        .trailing(trailing_329)
+        .trailing(trailing_329),
+        .end_of_clock(end_of_clock)
     );
 
     // 336 counts the clocks of a word, 335 the words, 337 the quadrants. They step at the end of a clock.
-    wire end_of_clock, end_of_word, end_of_quadrant;
+    wire end_of_word, end_of_quadrant;
     wire [ADDRESS_WIDTH-1:0] address_335;
     wire [1:0] quadrant_337;
-    and and_end_of_clock (end_of_clock, phase_b, trailing_329);
     binary_counter #(.WIDTH(ENTRY_WIDTH)) counter_336 (
         .clk(clk),
         .clear(clear),
@@ -274,7 +281,7 @@ module incremental_generator #(
     );
 
     // X: interleaver 290, direction control 298, pulse switch 294, counter 318.
-    wire pulse_290, direction_298, up_294, down_294;
+    wire direction_298, up_294, down_294;
     pulse_interleaver interleaver_290 (
         .a(pulse_262),
         .b(pulse_264),
@@ -301,7 +308,6 @@ module incremental_generator #(
         .preset_value(x0),
         .up(up_294),
         .down(down_294),
-        .trailing(trailing_329),
         .count(x),
         .carry(up_304),
         .borrow(down_306),
@@ -309,7 +315,7 @@ module incremental_generator #(
     );
 
     // Y: interleaver 292, direction control 308, pulse switch 296, counter 320.
-    wire pulse_292, direction_308, up_296, down_296;
+    wire direction_308, up_296, down_296;
     pulse_interleaver interleaver_292 (
         .a(pulse_270),
         .b(pulse_268),
@@ -335,7 +341,6 @@ module incremental_generator #(
         .preset_value(y0),
         .up(up_296),
         .down(down_296),
-        .trailing(trailing_329),
         .count(y),
         .carry(up_314),
         .borrow(down_316),

@@ -480,6 +480,20 @@ impl Builder {
         held.q
     }
 
+    /// 1 in the tick in which a line has gone high; a line that is high at power-on has.
+    pub fn rises(&mut self, line: ValueId) -> ValueId {
+        let was = self.delay(line);
+        let was_low = self.not(was);
+        self.and(line, was_low)
+    }
+
+    /// 1 in the tick in which a line has gone low.
+    pub fn falls(&mut self, line: ValueId) -> ValueId {
+        let was = self.delay(line);
+        let low = self.not(line);
+        self.and(was, low)
+    }
+
     /// A word one tick later, 0 at power-on.
     pub fn delay(&mut self, a: ValueId) -> ValueId {
         let held = self.hold(self.width(a), 0);

@@ -5,8 +5,8 @@ use stepwright::trace::Select;
 
 use super::Data;
 
-/// The longest conversion takes about 200 ticks, a stroke drawn after it 16,384 more.
-const LIMIT: u64 = 20_000;
+/// The longest conversion takes about 200 ticks, a stroke drawn after it 32,768 more.
+const LIMIT: u64 = 40_000;
 
 /// A converter that is ready for the next data.
 pub struct Converter {

@@ -60,7 +60,7 @@ fn a_start_while_busy_is_refused_with_a_sign_and_the_stroke_goes_on_unharmed() {
             machine.tick();
             rest += 1;
         }
-        assert_eq!(rest, 2048 - 101);
+        assert_eq!(rest, 2 * 2048 - 101);
         assert_eq!([machine.get_signed("x"), machine.get_signed("y")], GOOD.end());
         assert_eq!((machine.get("done"), machine.get("error")), (1, 1));
     }

@@ -108,12 +108,23 @@ impl Stroke {
         let at = |from, a, b| from + a * (cosine - 1) + b * sine;
         [at(self.from[0], j, k), at(self.from[1], l, m)]
     }
+
+    /// How many counts X goes up and down, and Y: each quarter gives |J| and |K| of X, and their signs add up to the end.
+    pub fn counts(&self) -> [i64; 4] {
+        let [j, k, l, m] = self.jklm.map(i64::abs);
+        let ways = |axis: usize, all: i64| {
+            let net = self.end()[axis] - self.from[axis];
+            [(all + net) / 2, (all - net) / 2]
+        };
+        let ([up_x, down_x], [up_y, down_y]) = (ways(0, self.quarters * (j + k)), ways(1, self.quarters * (l + m)));
+        [up_x, down_x, up_y, down_y]
+    }
 }
 
 /// A pulse on one of the four lines.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Pulse {
-    /// Ticks of the generator since the first one.
+    /// Halves of clock 329 since the first one.
     pub at: u64,
     /// 0: X; 1: Y.
     pub axis: usize,
@@ -126,7 +137,7 @@ pub struct Pulse {
 pub struct Drawn {
     /// Pulses in order; X before Y.
     pub pulses: Vec<Pulse>,
-    /// X and Y after each tick of the generator.
+    /// X and Y after each half of the clock.
     pub path: Vec<[i64; 2]>,
     /// X and Y when `done` is high.
     pub end: [i64; 2],
@@ -134,7 +145,10 @@ pub struct Drawn {
     pub error: bool,
 }
 
-/// Draws a stroke with fig09_function_generator from its start to `done`.
+/// Ticks of half a clock of fig09_function_generator.
+pub const HALF: u64 = 2;
+
+/// Draws a stroke with fig09_function_generator from its start to `done`. A pulse is a rising edge on its line.
 pub fn draw(machine: &mut Machine, stroke: &Stroke) -> Drawn {
     let lines = ["up_304", "down_306", "up_314", "down_316"].map(|line| machine.find(line));
     let counts = ["x", "y"].map(|counter| machine.find(counter));
@@ -143,17 +157,22 @@ pub fn draw(machine: &mut Machine, stroke: &Stroke) -> Drawn {
     machine.tick();
     machine.set(&[("start", 0)]);
     let (mut pulses, mut path) = (Vec::new(), Vec::new());
-    let mut at = 0;
+    let mut before = [0; 4];
+    let mut tick = 0;
     while machine.word(busy) == 1 {
-        for (line, place) in lines.iter().enumerate() {
-            if machine.word(*place) == 1 {
-                pulses.push(Pulse { at, axis: line / 2, way: if line % 2 == 0 { 1 } else { -1 } });
+        let now = lines.map(|line| machine.word(line));
+        for line in 0..4 {
+            if (before[line], now[line]) == (0, 1) {
+                pulses.push(Pulse { at: tick / HALF, axis: line / 2, way: if line % 2 == 0 { 1 } else { -1 } });
             }
         }
+        before = now;
         machine.tick();
-        path.push(counts.map(|counter| machine.number(counter)));
-        at += 1;
-        assert!(at < 1 << 18, "the stroke does not end");
+        tick += 1;
+        if tick % HALF == 0 {
+            path.push(counts.map(|counter| machine.number(counter)));
+        }
+        assert!(tick < 1 << 18, "the stroke does not end");
     }
     assert_eq!(machine.word(done), 1, "done follows busy at once");
     Drawn { pulses, path, end: counts.map(|counter| machine.number(counter)), error: machine.get("error") == 1 }

@@ -2,7 +2,7 @@
 
 mod words;
 
-pub mod acceleration_meter;
+pub mod dda_integrator;
 pub mod delay_regulator;
 pub mod difference_circuit;
 pub mod diode_approximator;

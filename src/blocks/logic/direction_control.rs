@@ -14,7 +14,8 @@ static DESCRIPTION: Description = Description {
           quadrant 1: J -, K +;  quadrant 2: J -, K -;  quadrant 3: J +, K -;  quadrant 4: J +, K +.\n\
           With the quadrant coded 0 to 3 as q1 q0: cosine up = q1 xor negative_cosine, sine up = not (q1 xor q0 xor \
           negative_sine). Combinational.",
-    source: "US 3,809,868, FIG. 9, direction controls 298, 308; table restored from d(cos), d(sin) in each quadrant",
+    source: "US 3,809,868, FIG. 9, direction controls 298, 308; the scan prints row 1 of its \
+             table like row 4, so row 1 rests on the signs of d(cos) and d(sin)",
     parameters: &[],
     ports: &[
         PortDescription::input("quadrant", Width::Fixed(2), "quadrant less one"),

@@ -20,7 +20,7 @@ static DESCRIPTION: Description = Description {
     kind: Kind::Memory,
     summary: "Counts up or down by pulses on two lines, with preset and guard stages.",
     doc: "In the manner of the SN74193: a pulse on `up` or `down` counts at its trailing edge, that is at the end of the \
-          tick in which `trailing` is 1; pulses on both lines at once leave the count as it is. `preset` loads \
+          first low tick behind it; edges on both lines at once leave the count as it is. `preset` loads \
           `preset_value` and wins. With GUARD > 0, so many lower stages stand before the counter, preset to half: a pulse \
           is then 1/2^GUARD of a count, and `count` is the rounded sum. `carry` and `borrow` are the pulses that reach \
           `count` (those of the input lines when GUARD is 0); they go to the incremental device. `overflow` is 1 while a \
@@ -35,7 +35,6 @@ static DESCRIPTION: Description = Description {
         PortDescription::input("preset_value", Width::Param("WIDTH"), "count to start from").signed(),
         PortDescription::input("up", Width::BIT, "count-up line"),
         PortDescription::input("down", Width::BIT, "count-down line"),
-        PortDescription::input("trailing", Width::BIT, "1 in the last tick of a pulse"),
         PortDescription::output("count", Width::Param("WIDTH"), "present count").signed(),
         PortDescription::output("carry", Width::BIT, "pulses that count up"),
         PortDescription::output("borrow", Width::BIT, "pulses that count down"),
@@ -55,7 +54,8 @@ fn build(b: &mut Builder) {
     b.output("borrow", borrow);
     let overflow = overflow(b, count, [carry, borrow]);
     b.output("overflow", overflow);
-    step(b, stages, [up, down]);
+    let edges = [b.falls(up), b.falls(down)];
+    step(b, stages, edges);
 }
 
 /// The guard stages' preset: half a count.
@@ -76,8 +76,7 @@ fn step(b: &mut Builder, stages: Held, [up, down]: [ValueId; 2]) {
     let preset = b.input("preset");
     let next = b.mux(preset, value, counted);
     let one_line = b.xor(up, down);
-    let pulse = b.and(one_line, b.input("trailing"));
-    let enable = b.or(preset, pulse);
+    let enable = b.or(preset, one_line);
     b.load(stages, next, enable, None);
 }
 
@@ -107,31 +106,39 @@ mod tests {
 
     fn preset(guard: i64, value: i64) -> Bench {
         let mut bench = Bench::new("reversible_counter", &[("WIDTH", 8), ("GUARD", guard)]);
-        bench.set_all(&[("preset", 1), ("preset_value", value), ("trailing", 1)]);
+        bench.set_all(&[("preset", 1), ("preset_value", value)]);
         bench.tick();
         bench.set("preset", 0);
         bench
+    }
+
+    /// A pulse of two ticks on the lines given, and the gap after it.
+    fn pulse(bench: &mut Bench, up: i64, down: i64) {
+        for (up, down, ticks) in [(up, down, 2), (0, 0, 1)] {
+            bench.set_all(&[("up", up), ("down", down)]);
+            (0..ticks).for_each(|_| bench.tick());
+        }
     }
 
     #[test]
     fn each_line_counts_its_way_and_both_together_cancel() {
         let mut bench = preset(0, -3);
         for (up, down, count) in [(1, 0, -2), (1, 0, -1), (0, 1, -2), (1, 1, -2), (0, 0, -2), (0, 1, -3)] {
-            bench.set_all(&[("up", up), ("down", down)]);
-            bench.tick();
+            pulse(&mut bench, up, down);
             assert_eq!(bench.get_signed("count"), count);
         }
     }
 
     #[test]
-    fn a_long_pulse_counts_once_at_its_trailing_edge() {
+    fn a_long_pulse_counts_once_at_the_end_of_the_tick_of_its_trailing_edge() {
         let mut bench = preset(0, 0);
-        bench.set_all(&[("up", 1), ("trailing", 0)]);
-        bench.tick();
-        assert_eq!(bench.get_signed("count"), 0);
-        bench.set("trailing", 1);
-        bench.tick();
-        assert_eq!(bench.get_signed("count"), 1);
+        let mut seen = Vec::new();
+        for up in [1, 1, 1, 0, 0, 1, 0] {
+            bench.set("up", up);
+            bench.tick();
+            seen.push(bench.get_signed("count"));
+        }
+        assert_eq!(seen, [0, 0, 0, 1, 1, 1, 2]);
     }
 
     #[test]
@@ -145,6 +152,9 @@ mod tests {
             {
                 bench.set_all(&[("up", i64::from(*way > 0)), ("down", i64::from(*way < 0))]);
                 sent += bench.get("carry") as i64 - bench.get("borrow") as i64;
+                bench.tick();
+                bench.set_all(&[("up", 0), ("down", 0)]);
+                assert_eq!((bench.get("carry"), bench.get("borrow")), (0, 0));
                 bench.tick();
                 fractions += way;
                 let exact = 5.0 + f64::from(fractions) / parts;
@@ -160,7 +170,7 @@ mod tests {
             let mut bench = preset(0, start);
             bench.set_all(&[("up", up), ("down", 1 - up)]);
             assert_eq!(bench.get("overflow"), 1);
-            bench.tick();
+            pulse(&mut bench, up, 1 - up);
             assert_eq!((bench.get_signed("count"), bench.get("overflow")), (after, 0));
         }
     }

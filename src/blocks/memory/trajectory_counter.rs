@@ -9,8 +9,9 @@ static DESCRIPTION: Description = Description {
     name: "trajectory_counter",
     kind: Kind::Memory,
     summary: "Counts the pulses of several lines together and stays at its last state.",
-    doc: "At the end of a tick with `trailing` = 1 the count grows by the number of lines that carry a pulse. It does not \
-          depend on time or hold, only on the way travelled. When the sum no longer fits, the count stays at all ones \
+    doc: "At the end of a tick the count grows by the number of lines that have risen in it, so each pulse counts once, \
+          at its leading edge, however long it is held; pulses on several lines at once count each. It depends on the way \
+          travelled, not on time. When the sum no longer fits, the count stays at all ones \
           (chosen: a wrap would take the words for the start of the stroke again).",
     source: "US 3,809,868, FIG. 10, counter 346",
     parameters: &[
@@ -20,7 +21,6 @@ static DESCRIPTION: Description = Description {
     ports: &[
         PortDescription::input("clear", Width::BIT, "sets the count to 0; wins over counting"),
         PortDescription::input("lines", Width::Param("LINES"), "pulse lines"),
-        PortDescription::input("trailing", Width::BIT, "1 in the last tick of the pulses"),
         PortDescription::output("count", Width::Param("WIDTH"), "pulses so far"),
     ],
     clocked: true,
@@ -31,7 +31,8 @@ fn build(b: &mut Builder) {
     let count = b.hold(width, 0);
     let mut sum = b.zero_extend(count.q, width + 1);
     for line in 0..b.count("LINES") {
-        let pulse = b.pick(lines, line);
+        let line = b.pick(lines, line);
+        let pulse = b.rises(line);
         let pulse = b.zero_extend(pulse, width + 1);
         sum = b.add(sum, pulse);
     }
@@ -39,7 +40,7 @@ fn build(b: &mut Builder) {
     let sum = b.slice(sum, 0, width);
     let full = b.constant(u64::MAX, width);
     let next = b.mux(beyond, full, sum);
-    b.load(count, next, b.input("trailing"), b.input("clear"));
+    b.load(count, next, None, b.input("clear"));
     b.output("count", count.q);
 }
 
@@ -50,18 +51,28 @@ mod tests {
     #[test]
     fn every_pulse_on_any_line_counts_until_the_counter_is_full() {
         let mut bench = Bench::new("trajectory_counter", &[("WIDTH", 4)]);
-        bench.set("trailing", 1);
         for (lines, count) in [(0b0001, 1), (0b1010, 3), (0, 3), (0b1111, 7), (0b1111, 11), (0b1111, 15), (0b0101, 15)]
         {
-            bench.set("lines", lines);
-            bench.tick();
-            assert_eq!(bench.get("count"), count);
+            for (lines, ticks) in [(lines, 3), (0, 1)] {
+                bench.set("lines", lines);
+                (0..ticks).for_each(|_| bench.tick());
+                assert_eq!(bench.get("count"), count);
+            }
         }
         bench.set("clear", 1);
         bench.tick();
         assert_eq!(bench.get("count"), 0);
-        bench.set_all(&[("clear", 0), ("trailing", 0), ("lines", 15)]);
-        bench.tick();
-        assert_eq!(bench.get("count"), 0);
+    }
+
+    #[test]
+    fn a_pulse_counts_at_its_leading_edge() {
+        let mut bench = Bench::new("trajectory_counter", &[]);
+        let mut seen = Vec::new();
+        for lines in [0b0001, 0b0001, 0b0101, 0b0100, 0, 0b0001] {
+            bench.set("lines", lines);
+            bench.tick();
+            seen.push(bench.get("count"));
+        }
+        assert_eq!(seen, [1, 1, 2, 2, 2, 3]);
     }
 }

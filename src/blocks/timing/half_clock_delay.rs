@@ -9,14 +9,14 @@ static DESCRIPTION: Description = Description {
     name: "half_clock_delay",
     kind: Kind::Timing,
     summary: "Delays a pulse by half a clock, so that two generators never pulse at once.",
-    doc: "held(t+1) = trailing ? pulse : held; out = held and second_half. A pulse that is on at the end of the first \
-          half is put out during the whole second half, however long that is held.",
+    doc: "held(t+1) = trailing ? pulse : held; out = held and second_half. A pulse of the first half is put out while \
+          the clock's pulse of the second half is on, however long that is held.",
     source: "US 3,809,868, FIG. 10, output of multiplier 327 \"delayed 1/2 clock cycle\"",
     parameters: &[],
     ports: &[
         PortDescription::input("pulse", Width::BIT, "pulse in the first half"),
-        PortDescription::input("trailing", Width::BIT, "1 in the last tick of a half"),
-        PortDescription::input("second_half", Width::BIT, "1 during the second half"),
+        PortDescription::input("trailing", Width::BIT, "1 in the last tick of a pulse"),
+        PortDescription::input("second_half", Width::BIT, "the clock's pulse of the second half"),
         PortDescription::output("out", Width::BIT, "the pulse in the second half"),
     ],
     clocked: true,
@@ -37,9 +37,10 @@ mod tests {
     #[test]
     fn a_pulse_of_the_first_half_comes_out_in_the_second_and_only_there() {
         let mut bench = Bench::new("half_clock_delay", &[]);
-        // Columns: pulse, trailing, second half, expected output; halves of two ticks.
-        let ticks = [(1, 0, 0, 0), (1, 1, 0, 0), (0, 0, 1, 1), (0, 1, 1, 1), (0, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)];
-        for (pulse, trailing, second_half, out) in ticks {
+        // Columns: pulse, trailing, second half, expected output; pulses of two ticks, gaps of one.
+        let with_pulse = [(1, 0, 0, 0), (1, 1, 0, 0), (0, 0, 0, 0), (0, 0, 1, 1), (0, 1, 1, 1), (0, 0, 0, 0)];
+        let without = [(0, 0, 0, 0), (0, 1, 0, 0), (0, 0, 0, 0), (0, 0, 1, 0), (0, 1, 1, 0), (0, 0, 0, 0)];
+        for (pulse, trailing, second_half, out) in with_pulse.into_iter().chain(without) {
             bench.set_all(&[("pulse", pulse), ("trailing", trailing), ("second_half", second_half)]);
             assert_eq!(bench.get("out"), out);
             bench.tick();
