@@ -9,6 +9,7 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use fst_reader::{FstFilter, FstHierarchyEntry, FstReader, FstSignalValue, FstVarType};
 
 use super::declared::{Declared, Declaring, Kind, Signal, SignalId};
+use super::fst_blocks;
 use super::source::Source;
 use super::state::State;
 use crate::base::{Diagnostic, Report};
@@ -49,8 +50,9 @@ impl FstSource {
     ///
     /// # Errors
     /// `W012`, `W015`, `W016`, `W019`, `W020`, as [`super::read`].
-    pub fn open(name: &str, input: impl BufRead + Seek + Send + 'static) -> Result<Self, Report> {
+    pub fn open(name: &str, mut input: impl BufRead + Seek + Send + 'static) -> Result<Self, Report> {
         let called = name.to_owned();
+        fst_blocks::check(&mut input).map_err(|why| broken(name, &why))?;
         let mut opened = guarded(name, || FstReader::open(input).map_err(|error| broken(&called, &error)))?;
         let (declared, handles) = guarded(name, || declared(&called, &mut opened))?;
         let header = opened.get_header();
@@ -222,3 +224,7 @@ fn decode<R: BufRead + Seek>(
         Err(fst_reader::ReadSignalsError::ReadError(error)) => Err(broken(name, &error)),
     }
 }
+
+#[cfg(test)]
+#[path = "fst_tests.rs"]
+mod tests;

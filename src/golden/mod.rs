@@ -23,6 +23,7 @@ mod codes;
 mod compare;
 mod declared;
 mod fst;
+mod fst_blocks;
 mod header;
 mod how;
 mod merge;
