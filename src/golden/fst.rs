@@ -77,7 +77,9 @@ impl FstSource {
             last: start,
             changed: false,
         };
-        source.time = Some(source.peek()?.unwrap_or(start));
+        // Writers may state 0 for a dump that begins later; as in VCD it begins with its first value.
+        source.start = source.peek()?.unwrap_or(start);
+        source.time = Some(source.start);
         Ok(source)
     }
 
