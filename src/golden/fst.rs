@@ -205,13 +205,23 @@ fn decode<R: BufRead + Seek>(
     reader: &mut FstReader<R>,
     sender: &SyncSender<Result<Batch, Diagnostic>>,
 ) -> Result<(), Diagnostic> {
-    let mut batch = Batch::default();
+    let (mut batch, start) = (Batch::default(), reader.get_header().start_time);
+    // Values that hold before the first time of the file; writers that have none fill them with x, which says nothing.
+    let mut is_blank = true;
     let read = reader.read_signals(&FstFilter::all(), |time, handle, value| {
+        if is_blank && time > start {
+            batch = Batch::default();
+        }
+        is_blank &=
+            time == start && matches!(value, FstSignalValue::String(digits) if digits.iter().all(|&d| d == b'x'));
         match value {
             FstSignalValue::String(digits) => batch.digits.extend_from_slice(digits),
             FstSignalValue::Real(value) => batch.digits.extend_from_slice(&value.to_le_bytes()),
         }
         batch.values.push((time, handle.get_index(), batch.digits.len()));
+        if is_blank {
+            return Ok(());
+        }
         if batch.digits.len() < BATCH && batch.values.len() < BATCH_VALUES {
             return Ok(());
         }
