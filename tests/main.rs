@@ -1,5 +1,7 @@
 //! The one integration-test binary; each module tests one concern from outside.
 
+/// What `check` says went wrong first.
+mod cause;
 /// The command line as scripts see it.
 mod cli;
 /// The data converters of US 3,809,868.

@@ -81,9 +81,14 @@ impl Diagnostic {
     }
 }
 
-/// The name most like `wrong`, when one is near enough to be a slip.
+/// Names of more bytes are no slip of the pen, and comparing two takes time as the product of their lengths.
+const LONGEST_NAME: usize = 200;
+
+/// The name most like `wrong`, when one is near enough to be a slip; none for a name of more than 200 bytes.
 pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let scored = names.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name));
+    let sane = |name: &str| name.len() <= LONGEST_NAME;
+    let names = names.into_iter().filter(|name| sane(wrong) && sane(name));
+    let scored = names.map(|name| (strsim::jaro_winkler(wrong, name), name));
     scored
         .filter(|(score, _)| *score > 0.75)
         .max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| b.1.cmp(a.1)))

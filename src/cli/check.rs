@@ -11,7 +11,7 @@ use super::observers::selection;
 use super::{Ending, colored, print};
 use crate::base::{Diagnostic, Report};
 use crate::files;
-use crate::golden::{self, Comparison, Signals, Summary, Waveform};
+use crate::golden::{self, Diff, Input, Summary, Waveform};
 use crate::simulation::{Design, EngineKind, Session};
 use crate::trace::{VCD, Wave};
 
@@ -75,10 +75,9 @@ fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> Result<Verdict, Re
     }
     let mut wrong = ran.failed.clone();
     if golden.is_file() {
-        let expected = golden::read_golden(&golden.display().to_string(), files::read_bytes(&golden)?.as_slice())?;
-        let comparison = golden::compare(&expected, &ran.waveform, Signals::All);
-        if !comparison.is_equal() {
-            wrong.push(ran.explain(&comparison, &expected, path, &golden));
+        let found = golden::check(&Input::file(&golden), &Input::bytes("the run", ran.vcd.clone()))?;
+        if !found.comparison.is_equal() {
+            wrong.push(ran.explain(&found, path, &golden));
         }
     } else {
         wrong.push(format!("there is no golden trace {}\n{}", golden.display(), how_to_bless(path)));
@@ -87,8 +86,9 @@ fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> Result<Verdict, Re
     Ok(if wrong.is_empty() { Verdict::Equal(text) } else { Verdict::Different(wrong.join("\n")) })
 }
 
-pub(super) fn read_waveform(path: &Path) -> Result<Waveform, Report> {
-    golden::read(&path.display().to_string(), files::read_bytes(path)?.as_slice())
+fn read_waveform(path: &Path) -> Result<Waveform, Report> {
+    let file = std::fs::File::open(path).map_err(|error| files::unreadable(path, &files::reason(&error)))?;
+    golden::read(&path.display().to_string(), io::BufReader::new(file))
 }
 
 fn how_to_bless(scenario: &Path) -> String {
@@ -136,12 +136,13 @@ impl Ran {
     }
 
     /// The first difference, where it comes from, and what to do now.
-    fn explain(&self, comparison: &Comparison, expected: &Waveform, scenario: &Path, golden: &Path) -> String {
+    fn explain(&self, found: &Diff, scenario: &Path, golden: &Path) -> String {
+        let Diff { comparison, around } = found;
         let mut text = format!("circuit {}, engine {}\n{comparison}", self.design.circuit().name(), self.engine);
-        if let Some(divergence) = &comparison.divergence {
+        if let (Some(divergence), Some([expected, got])) = (&comparison.divergence, around) {
             let nets: Vec<_> = divergence.nets.iter().map(|net| net.name.as_str()).collect();
             let known = drivers(self.design.netlist());
-            for cause in golden::causes(expected, &self.waveform, &known, &nets, divergence.tick).iter().take(3) {
+            for cause in golden::causes(expected, got, &known, &nets, divergence.tick).iter().take(3) {
                 let _ = writeln!(text, "{cause}");
             }
         }

@@ -2,13 +2,12 @@
 
 use std::path::Path;
 
-use super::check::read_waveform;
 use super::{Ending, print};
 use crate::base::Report;
-use crate::golden::{Signals, compare};
+use crate::golden::{self, How, Input};
 
 pub(super) fn diff(a: &Path, b: &Path) -> Result<Ending, Report> {
-    let comparison = compare(&read_waveform(a)?, &read_waveform(b)?, Signals::All);
-    print(&comparison.to_string())?;
-    Ok(if comparison.is_equal() { Ending::Done } else { Ending::Different })
+    let found = golden::diff(&Input::file(a), &Input::file(b), &How::default())?;
+    print(&found.comparison.to_string())?;
+    Ok(if found.comparison.is_equal() { Ending::Done } else { Ending::Different })
 }

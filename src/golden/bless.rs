@@ -52,7 +52,7 @@ impl Summary {
         };
         if let Some(old) = old {
             let comparison = compare(old, new, Signals::All);
-            summary.changed = changed(old, new, &comparison.span);
+            summary.changed = comparison.changed;
             summary.old_span = comparison.spans.map(|(old, _)| old);
             (summary.removed, summary.added, summary.widths) =
                 (comparison.missing, comparison.extra, comparison.widths);
@@ -66,22 +66,6 @@ impl Summary {
         let same_signals = self.added.is_empty() && self.removed.is_empty() && self.widths.is_empty();
         !self.is_new && same_signals && self.old_span.is_none() && self.changed.is_empty()
     }
-}
-
-fn changed(old: &Waveform, new: &Waveform, span: &Range<u64>) -> Vec<Changed> {
-    let mut all = Vec::new();
-    for name in new.names() {
-        let (Some(before), Some(after)) = (old.track(name), new.track(name)) else { continue };
-        if before.width() == after.width() {
-            let mut spans = before.differences(after, span.clone());
-            if let Some(first) = spans.next() {
-                let ticks = (first.end - first.start) + spans.map(|span| span.end - span.start).sum::<u64>();
-                all.push(Changed { name: name.to_owned(), first: first.start, ticks });
-            }
-        }
-    }
-    all.sort_by_key(|changed| changed.first);
-    all
 }
 
 #[cfg(test)]

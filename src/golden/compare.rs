@@ -1,21 +1,19 @@
 //! Comparing two waveforms by meaning, down to the first tick at which they differ.
 
-use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Track, Waveform};
+use super::how::{How, Signals};
+use super::merge::{Merged, merge};
+use super::pairs::{Pairs, Parts};
+use super::read::cut;
+use super::sample::Sampled;
+use super::source::{Input, Source};
+use super::track::Value;
+use super::{Changed, Waveform};
+use crate::base::Report;
 
 /// How many ticks before and after a divergence are shown.
 const AROUND: u64 = 5;
-
-/// Which signals two waveforms must both have.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Signals {
-    /// All of them: a golden trace and its run. Both must tell about the same ticks.
-    All,
-    /// Those that both have are compared, as far as both go: ours and an outside simulator's.
-    Shared,
-}
 
 /// What a comparison found; shown, it is a report for a person.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
@@ -30,8 +28,16 @@ pub struct Comparison {
     pub extra: Vec<String>,
     /// Signals whose width differs: name, expected and got bits.
     pub widths: Vec<(String, u32, u32)>,
+    /// Whether the lists above are differences: not where only shared signals are asked for.
+    pub needs_all: bool,
+    /// Texts and events of both, and signals that are a number in one and bits in the other: they were not compared.
+    pub uncompared: Vec<String>,
+    /// Whether the times of one do not fit into 64 bits of the other's finer unit, so that not all were compared.
+    pub beyond: bool,
     /// The ticks that each tells about, when these differ.
     pub spans: Option<(Range<u64>, Range<u64>)>,
+    /// Every signal that differs, the earliest first.
+    pub changed: Vec<Changed>,
     /// Where the values first differ.
     pub divergence: Option<Divergence>,
 }
@@ -61,86 +67,142 @@ pub struct Differing {
 }
 
 impl Comparison {
-    /// Whether there is no difference, and something was compared.
+    /// Whether there is no difference, something was compared, and nothing was left out.
     #[must_use]
     pub fn is_equal(&self) -> bool {
-        let same_signals = self.missing.is_empty() && self.extra.is_empty() && self.widths.is_empty();
-        self.nets > 0 && same_signals && self.spans.is_none() && self.divergence.is_none()
+        let same_names = !self.needs_all || self.missing.is_empty() && self.extra.is_empty();
+        let whole = self.uncompared.is_empty() && !self.beyond;
+        let same = same_names && self.widths.is_empty() && self.spans.is_none() && self.divergence.is_none();
+        self.nets > 0 && self.span.start < self.span.end && whole && same
+    }
+
+    fn new(pairs: Pairs, merged: &Merged, how: &How) -> Self {
+        let [missing, extra] = pairs.only;
+        let [mine, theirs] = merged.spans.clone();
+        let needs_all = how.signals == Signals::All;
+        let is_cut = needs_all && how.window.is_none() && !merged.beyond && mine != theirs;
+        let tallied = pairs.all.iter().map(|pair| (pair, merged.tallies[pair.class]));
+        let differing = tallied.filter_map(|(pair, tally)| {
+            tally.first.map(|first| Changed { name: pair.name.clone(), first, ticks: tally.ticks })
+        });
+        let mut changed: Vec<_> = differing.collect();
+        changed.sort_by_key(|changed| changed.first);
+        Self {
+            nets: pairs.all.len(),
+            span: merged.span.clone(),
+            missing,
+            extra,
+            widths: pairs.widths,
+            needs_all,
+            uncompared: pairs.uncompared,
+            beyond: merged.beyond,
+            spans: is_cut.then_some((mine, theirs)),
+            changed,
+            divergence: None,
+        }
     }
 }
 
 /// Compares two waveforms over the ticks that both tell about. Times of different units are brought to the finer one.
 #[must_use]
 pub fn compare(expected: &Waveform, got: &Waveform, signals: Signals) -> Comparison {
-    let unit = expected.unit().min(got.unit());
-    if expected.unit() != got.unit() {
-        return compare(&expected.in_unit(unit), &got.in_unit(unit), signals);
-    }
-    let all = signals == Signals::All;
-    let (mine, theirs) = (expected.span(), got.span());
-    let span = mine.start.max(theirs.start)..mine.end.min(theirs.end);
-    let only_in = |a: &Waveform, b: &Waveform| -> Vec<String> {
-        let names = a.names().filter(|name| all && b.track(name).is_none());
-        names.map(str::to_owned).collect()
-    };
-    let mut comparison = Comparison {
-        missing: only_in(expected, got),
-        extra: only_in(got, expected),
-        spans: (all && mine != theirs).then_some((mine, theirs)),
-        ..Comparison::default()
-    };
-    let pairs = shared(expected, got, &mut comparison);
-    comparison.nets = pairs.len();
-    comparison.divergence = divergence(&pairs, &span);
-    comparison.span = span;
-    comparison
+    let how = How { signals, ..How::default() };
+    let pairs = Pairs::new(expected.declared(), got.declared(), &how);
+    let merged = merge(&mut expected.replay(), &mut got.replay(), &pairs, &how);
+    let merged = merged.unwrap_or_else(|_| unreachable!("a waveform in memory has been read"));
+    let divergence = divergence(&pairs, &merged, [expected, got]);
+    Comparison { divergence, ..Comparison::new(pairs, &merged, &how) }
 }
 
-/// A signal of both waveforms.
-struct Pair<'a> {
-    name: &'a str,
-    expected: &'a Track,
-    got: &'a Track,
-    /// Aliases in both waveforms have the same.
-    class: usize,
+/// Two files compared.
+#[derive(Clone, Debug)]
+pub struct Diff {
+    /// What was found.
+    pub comparison: Comparison,
+    /// If their values differ, what the expected and the got waveform say from some ticks before the first difference
+    /// to some ticks after it, in the unit of the comparison: enough for [`super::causes`].
+    pub around: Option<[Waveform; 2]>,
 }
 
-/// The signals of both, in the order of the expected waveform; those whose widths differ are noted instead.
-fn shared<'a>(expected: &'a Waveform, got: &'a Waveform, comparison: &mut Comparison) -> Vec<Pair<'a>> {
-    let (mut pairs, mut classes) = (Vec::new(), HashMap::new());
-    for name in expected.names() {
-        let (Some(mine), Some(theirs)) = (expected.track(name), got.track(name)) else { continue };
-        if mine.width() == theirs.width() {
-            let next = classes.len();
-            let class = *classes.entry((expected.track_id(name), got.track_id(name))).or_insert(next);
-            pairs.push(Pair { name, expected: mine, got: theirs, class });
-        } else {
-            comparison.widths.push((name.to_owned(), mine.width(), theirs.width()));
-        }
-    }
-    pairs
+/// Compares two files of any size in memory that does not grow with their length; if their values differ, both are
+/// read once more around the first difference.
+///
+/// # Errors
+/// Those of [`super::read`], and `W021` when there is no net to look at them by.
+pub fn diff(expected: &Input, got: &Input, how: &How) -> Result<Diff, Report> {
+    Ok(diffed([expected, got], how)?.0)
 }
 
-fn divergence(pairs: &[Pair<'_>], span: &Range<u64>) -> Option<Divergence> {
-    let mut firsts: Vec<Option<u64>> = Vec::new();
-    for pair in pairs.iter() {
-        if pair.class == firsts.len() {
-            let first = pair.expected.differences(pair.got, span.clone()).next();
-            firsts.push(first.map(|difference| difference.start));
-        }
+/// Compares a golden trace with a run as [`diff`] does, nothing forgiven.
+///
+/// # Errors
+/// Those of [`diff`], and `W018` when the golden trace does not end with the time that closes every waveform of ours.
+pub fn check(golden: &Input, run: &Input) -> Result<Diff, Report> {
+    match diffed([golden, run], &How::default())? {
+        (diff, true) => Ok(diff),
+        (_, false) => Err(cut(golden.name()).into()),
     }
-    let tick = firsts.iter().copied().flatten().min()?;
-    let around = tick.saturating_sub(AROUND).max(span.start)..tick.saturating_add(AROUND + 1).min(span.end);
-    let values = |track: &Track| {
-        let value = |tick| track.at(tick).map_or_else(|| "-".to_owned(), |value| value.to_string());
-        around.clone().map(value).collect()
+}
+
+/// The comparison, and whether the expected file ends with a closing time.
+fn diffed(inputs: [&Input; 2], how: &How) -> Result<(Diff, bool), Report> {
+    let [mut expected, mut got] = [opened(inputs[0], how, 0)?, opened(inputs[1], how, 1)?];
+    let pairs = Pairs::new(expected.declared(), got.declared(), how);
+    let merged = merge(expected.as_mut(), got.as_mut(), &pairs, how)?;
+    let is_closed = expected.is_closed();
+    let units = [expected.declared().unit, got.declared().unit];
+    // Readers hold buffers and threads.
+    drop((expected, got));
+    let Some(tick) = merged.first() else {
+        return Ok((Diff { comparison: Comparison::new(pairs, &merged, how), around: None }, is_closed));
     };
-    let differing = pairs.iter().filter(|pair| firsts[pair.class] == Some(tick));
-    let nets = differing.map(|pair| Differing {
-        name: pair.name.to_owned(),
-        width: pair.expected.width(),
-        expected: values(pair.expected),
-        got: values(pair.got),
+    let window = around(tick, &merged.span);
+    let read = |side: usize| {
+        let factor = units[side] / units[0].min(units[1]);
+        // One tick more, because registers answer to the tick before.
+        let coarse = window.start.saturating_sub(1) / factor..window.end.div_ceil(factor);
+        let mut source = opened(inputs[side], how, side)?;
+        Waveform::gather(inputs[side].name(), source.as_mut(), &coarse).map(|wave| wave.finer(factor))
+    };
+    let waves = [read(0)?, read(1)?];
+    let divergence = divergence(&pairs, &merged, [&waves[0], &waves[1]]);
+    let comparison = Comparison { divergence, ..Comparison::new(pairs, &merged, how) };
+    Ok((Diff { comparison, around: Some(waves) }, is_closed))
+}
+
+fn opened(input: &Input, how: &How, side: usize) -> Result<Box<dyn Source>, Report> {
+    let source = input.open()?;
+    match &how.at[side] {
+        Some(edge) => Ok(Box::new(Sampled::new(input.name(), source, edge)?)),
+        None => Ok(source),
+    }
+}
+
+impl Merged {
+    fn first(&self) -> Option<u64> {
+        self.tallies.iter().filter_map(|tally| tally.first).min()
+    }
+}
+
+fn around(tick: u64, span: &Range<u64>) -> Range<u64> {
+    tick.saturating_sub(AROUND).max(span.start)..tick.saturating_add(AROUND + 1).min(span.end)
+}
+
+/// The first difference, with values out of waveforms that hold the ticks around it.
+fn divergence(pairs: &Pairs, merged: &Merged, waves: [&Waveform; 2]) -> Option<Divergence> {
+    let tick = merged.first()?;
+    let unit = waves[0].unit().min(waves[1].unit());
+    let around = around(tick, &merged.span);
+    let values = |parts: &Parts, wave: &Waveform| {
+        let at = |tick: u64| parts.put_together(|id| wave.track_of(id).at(tick / (wave.unit() / unit)));
+        let shown = |value: Option<Value>| value.map_or_else(|| "-".to_owned(), |value| value.to_string());
+        around.clone().map(|tick| shown(at(tick))).collect()
+    };
+    let differing = pairs.all.iter().filter(|pair| merged.tallies[pair.class].first == Some(tick));
+    let nets = differing.map(|pair| {
+        let [expected, got] = &pairs.classes[pair.class];
+        let (expected, got) = (values(expected, waves[0]), values(got, waves[1]));
+        Differing { name: pair.name.clone(), width: pair.width, expected, got }
     });
     Some(Divergence { tick, nets: nets.collect(), around: around.clone() })
 }
@@ -148,3 +210,11 @@ fn divergence(pairs: &[Pair<'_>], span: &Range<u64>) -> Option<Divergence> {
 #[cfg(test)]
 #[path = "compare_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "false_equality_tests.rs"]
+mod false_equality;
+
+#[cfg(test)]
+#[path = "matching_tests.rs"]
+mod matching;

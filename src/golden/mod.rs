@@ -19,15 +19,32 @@
 
 mod bless;
 mod cause;
+mod codes;
 mod compare;
+mod declared;
+mod fst;
+mod fst_blocks;
+mod header;
+mod how;
+mod merge;
+mod pairs;
 mod read;
+mod sample;
 mod show;
+mod source;
+mod state;
+mod tails;
+mod tokens;
 mod track;
+mod values;
+mod vcd;
 mod wave;
 
 pub use bless::{Changed, Summary};
 pub use cause::{Cause, Driven, Driver, Drivers, causes};
-pub use compare::{Comparison, Differing, Divergence, Signals, compare};
+pub use compare::{Comparison, Diff, Differing, Divergence, check, compare, diff};
+pub use how::{Edge, How, Names, Signals, Unknown};
 pub use read::{read, read_golden};
+pub use source::Input;
 pub use track::{Track, Value};
 pub use wave::Waveform;

@@ -26,10 +26,19 @@ fn a_file_in_the_manner_of_icarus_is_read_with_aliases_scopes_ranges_and_widenin
     let names: Vec<_> = wave.names().collect();
     assert_eq!(
         names,
-        ["bench.clk", "bench.dut.clk", "bench.dut.count", "bench.dut.gen[0].q+", "bench.dut.gen[0].bit[2]"]
+        [
+            "bench.WIDTH",
+            "bench.clk",
+            "bench.dut.clk",
+            "bench.dut.count",
+            "bench.dut.gen[0].q+",
+            "bench.dut.gen[0].bit[2]",
+            "bench.t.r"
+        ]
     );
     assert_eq!((wave.span(), wave.unit(), wave.top()), (0..15, 1_000_000, Some("bench")));
     assert!(wave.is_closed());
+    assert_eq!((shown(&wave, "bench.WIDTH", 0), shown(&wave, "bench.t.r", 9)), ("0000000c".into(), "0.5".into()));
     let at = |name, times: [u64; 3]| times.map(|time| shown(&wave, name, time));
     assert_eq!(at("bench.dut.clk", [0, 5, 14]), ["0", "1", "0"]);
     assert_eq!(at("bench.dut.count", [4, 5, 14]), ["xxxxxxxxxxxx", "00f", "00f"]);
@@ -46,7 +55,7 @@ fn what_stands_below_a_scope_is_named_from_there() {
 fn scopes_that_only_one_tool_makes_are_renamed_away() {
     let wave = read("a.vcd", GOOD.as_bytes()).unwrap().below("bench");
     let wave = wave.renamed(|name| (name != "clk").then(|| name.replace("gen[0].", "")));
-    assert_eq!(wave.names().collect::<Vec<_>>(), ["dut.clk", "dut.count", "dut.q+", "dut.bit[2]"]);
+    assert_eq!(wave.names().collect::<Vec<_>>(), ["WIDTH", "dut.clk", "dut.count", "dut.q+", "dut.bit[2]", "t.r"]);
 }
 
 #[test]
@@ -68,8 +77,11 @@ fn broken_files_are_told_by_line() {
         (&GOOD[..GOOD.len() - 1], "error[W011]: a.vcd, line 38: the file ends in the middle of a command"),
         (&GOOD.replace("#10", "#3"), "error[W013]: a.vcd, line 36: time goes back from 5 to 3"),
         (&GOOD.replace("b1111 \"", "b1111 \"\n1Q"), "error[W014]: a.vcd, line 34: a value for `Q`"),
-        (&GOOD.replace("bz1 #", "bz0101 #"), "error[W015]: a.vcd, line 35: 5 bits for `#`, which has 4"),
-        (&GOOD.replace("bit [2]", "q+"), "error[W016]: a.vcd: two signals are called `bench.dut.gen[0].q+`"),
+        (
+            &GOOD.replace("bz1 #", "bz0101 #"),
+            "error[W015]: a.vcd, line 35: 5 bits for `bench.dut.gen[0].q+`, which has 4",
+        ),
+        (&GOOD.replace("bit [2]", "q+"), "error[W016]: a.vcd, line 12: two signals are called `bench.dut.gen[0].q+`"),
         (&GOOD.replace("wire 12", "wire 4000000000"), "error[W015]: a.vcd, line 9: `count` has 4000000000 bits"),
         (&GOOD.replace("#15", "#15\n$upscope $end"), "error[W012]: a.vcd, line 39: a declaration after"),
         (&GOOD.replace("#15", "?"), "error[W012]: a.vcd, line 38"),

@@ -19,8 +19,14 @@ impl fmt::Display for Comparison {
         if let Some(divergence) = &self.divergence {
             divergence.fmt(f)?;
         }
-        names(f, "only in the expected waveform", &self.missing)?;
-        names(f, "only in the other waveform", &self.extra)?;
+        if self.needs_all {
+            names(f, "only in the expected waveform", &self.missing)?;
+            names(f, "only in the other waveform", &self.extra)?;
+        }
+        names(f, "cannot be compared: it is a text, an event, or a number in one waveform only", &self.uncompared)?;
+        if self.beyond {
+            writeln!(f, "from tick {} on times are too large for the finer unit: not compared", self.span.end)?;
+        }
         for (name, expected, got) in self.widths.iter().take(MOST_NAMES) {
             writeln!(f, "{name}: expected {expected} bits, got {got}")?;
         }
@@ -30,6 +36,8 @@ impl fmt::Display for Comparison {
         }
         if self.nets == 0 {
             writeln!(f, "the waveforms have no signal in common")?;
+        } else if self.span.is_empty() {
+            writeln!(f, "the waveforms have no tick in common")?;
         }
         Ok(())
     }
@@ -160,7 +168,7 @@ mod tests {
     #[test]
     fn a_long_list_is_cut_with_a_count() {
         let missing: Vec<_> = (0..MOST_NAMES + 3).map(|i| format!("n{i}")).collect();
-        let text = Comparison { nets: 1, missing, ..Comparison::default() }.to_string();
+        let text = Comparison { nets: 1, span: 0..1, needs_all: true, missing, ..Comparison::default() }.to_string();
         assert_eq!(text.lines().count(), MOST_NAMES + 1);
         assert!(text.ends_with("and 3 more\n"), "{text}");
     }

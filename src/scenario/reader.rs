@@ -10,26 +10,36 @@ use crate::base::{Diagnostic, Report, SourceId, Sources, Span};
 /// Reads the text of a scenario; `name` is what messages call it.
 ///
 /// # Errors
-/// `S001` not TOML, `S002` unknown key, `S003` value of the wrong kind, `S004` something missing or contradictory.
+/// `S001` not TOML, `S002` unknown key, `S003` value of the wrong kind, `S004` something missing or contradictory,
+/// `S005` so many more errors after the first 20.
 pub fn parse(name: &str, text: &str) -> Result<Scenario, Report> {
     let mut sources = Sources::default();
     let source = sources.add(name, text);
-    let mut reader = Reader { source, wrong: Vec::new() };
+    let mut reader = Reader { source, wrong: Vec::new(), untold: 0 };
     let (root, errors) = DeTable::parse_recoverable(text);
     for error in errors {
         let span = error.span().map_or(0..0, |span| span);
         let diagnostic = Diagnostic::new("S001", format!("this is not TOML: {}", error.message()));
-        reader.wrong.push(diagnostic.at(reader.span(span), "here"));
+        let span = reader.span(span);
+        reader.complain(|| diagnostic.at(span, "here"));
     }
     let scenario = reader.scenario(root.get_ref());
+    if reader.untold > 0 {
+        let message = format!("and {} more errors in {name}", reader.untold);
+        reader.wrong.push(Diagnostic::new("S005", message).help("mend the first ones, then try again"));
+    }
     if reader.wrong.is_empty() { Ok(scenario) } else { Err(Report::new(sources, reader.wrong)) }
 }
 
 type Value<'t> = Spanned<DeValue<'t>>;
 
+/// How many errors are told; the others are counted.
+const MOST_ERRORS: usize = 20;
+
 struct Reader {
     source: SourceId,
     wrong: Vec<Diagnostic>,
+    untold: usize,
 }
 
 impl Reader {
@@ -38,10 +48,27 @@ impl Reader {
         Span { source: self.source, start: place(range.start), end: place(range.end) }
     }
 
+    /// Adds an error, which is made only if it is told.
+    fn complain(&mut self, diagnostic: impl FnOnce() -> Diagnostic) {
+        if self.wrong.len() < MOST_ERRORS {
+            self.wrong.push(diagnostic());
+        } else {
+            self.untold += 1;
+        }
+    }
+
     fn of_kind(&mut self, value: &Value<'_>, expected: &str) {
-        let message = format!("expected {expected}, found {}", value.get_ref().type_str());
         let span = self.span(value.span());
-        self.wrong.push(Diagnostic::new("S003", message).at(span, format!("write {expected} here")));
+        self.complain(|| {
+            let message = format!("expected {expected}, found {}", value.get_ref().type_str());
+            Diagnostic::new("S003", message).at(span, format!("write {expected} here"))
+        });
+    }
+
+    /// A number of the right kind that is too large or too small.
+    fn does_not_fit(&mut self, value: &Value<'_>, fitting: &str) {
+        let span = self.span(value.span());
+        self.complain(|| Diagnostic::new("S003", "this number does not fit").at(span, format!("write {fitting} here")));
     }
 
     fn table<'v, 't>(&mut self, value: &'v Value<'t>) -> Option<&'v DeTable<'t>> {
@@ -65,27 +92,31 @@ impl Reader {
             DeValue::Integer(i) => i128::from_str_radix(i.as_str(), i.radix()).ok().map(Number::Word),
             DeValue::Float(f) => f.as_str().parse().ok().filter(|f: &f64| f.is_finite()).map(Number::Real),
             DeValue::Boolean(b) => Some(Number::Word((*b).into())),
-            _ => None,
+            _ => {
+                self.of_kind(value, "a number");
+                return None;
+            }
         };
         if number.is_none() {
-            self.of_kind(value, "a number");
+            self.does_not_fit(value, "a finite number");
         }
         number
     }
 
-    fn whole<T: TryFrom<i128>>(&mut self, value: &Value<'_>, expected: &str) -> Option<T> {
-        let whole = match value.get_ref() {
-            DeValue::Integer(i) => i128::from_str_radix(i.as_str(), i.radix()).ok().and_then(|i| T::try_from(i).ok()),
-            _ => None,
-        };
-        if whole.is_none() {
+    fn whole<T: TryFrom<i128>>(&mut self, value: &Value<'_>, expected: &str, range: &str) -> Option<T> {
+        let DeValue::Integer(i) = value.get_ref() else {
             self.of_kind(value, expected);
+            return None;
+        };
+        let whole = i128::from_str_radix(i.as_str(), i.radix()).ok().and_then(|i| T::try_from(i).ok());
+        if whole.is_none() {
+            self.does_not_fit(value, &format!("{expected} of {range}"));
         }
         whole
     }
 
     fn ticks(&mut self, value: &Value<'_>) -> Option<u64> {
-        self.whole(value, "a number of ticks")
+        self.whole(value, "a number of ticks", "0 to 18446744073709551615")
     }
 
     /// Each entry of a table through `read`, with its name and place.
@@ -127,9 +158,11 @@ impl Reader {
                 read(self, name, value);
             } else {
                 let span = self.span(key.span());
-                let diagnostic = Diagnostic::new("S002", format!("a scenario has no key `{name}` here"));
-                let diagnostic = diagnostic.at(span, format!("known here: {}", known.join(", ")));
-                self.wrong.push(diagnostic.nearest(name, known.iter().copied()));
+                self.complain(|| {
+                    Diagnostic::new("S002", format!("a scenario has no key `{}` here", brief(name)))
+                        .at(span, format!("known here: {}", known.join(", ")))
+                        .nearest(name, known.iter().copied())
+                });
             }
         }
     }
@@ -140,7 +173,7 @@ impl Reader {
         self.keys(root, &known, |reader, key, value| match key {
             "title" => scenario.title = reader.text(value).unwrap_or_default(),
             "circuit" => scenario.circuit = reader.text(value).unwrap_or_default(),
-            "parameters" => scenario.parameters = reader.entries(value, |r, v| r.whole(v, "a whole number")),
+            "parameters" => scenario.parameters = reader.entries(value, |r, v| r.whole(v, "a whole number", "64 bits")),
             "inputs" => scenario.inputs = reader.entries(value, Reader::number),
             "at" => scenario.changes = reader.changes(value),
             "stop" => scenario.stop = reader.stop(value),
@@ -150,9 +183,12 @@ impl Reader {
             _ => scenario.expect = reader.expect(value),
         });
         if !root.contains_key("circuit") {
-            let diagnostic =
-                Diagnostic::new("S004", "the scenario names no circuit").at(self.span(0..0), "in this file");
-            self.wrong.push(diagnostic.help("add a line such as: circuit = \"su1522157/interpolator\""));
+            let span = self.span(0..0);
+            self.complain(|| {
+                Diagnostic::new("S004", "the scenario names no circuit")
+                    .at(span, "in this file")
+                    .help("add a line such as: circuit = \"su1522157/interpolator\"")
+            });
         }
         scenario.changes.sort_by_key(|change| change.tick);
         scenario
@@ -181,7 +217,7 @@ impl Reader {
 
     fn missing(&mut self, value: &Value<'_>, message: &str) {
         let span = self.span(value.span());
-        self.wrong.push(Diagnostic::new("S004", message).at(span, "here"));
+        self.complain(|| Diagnostic::new("S004", message).at(span, "here"));
     }
 
     fn stop(&mut self, value: &Value<'_>) -> Option<Stop> {
@@ -269,6 +305,12 @@ impl Reader {
     }
 }
 
+/// A name as a message shows it.
+fn brief(name: &str) -> String {
+    let brief: String = name.chars().take(60).collect();
+    if brief.len() < name.len() { brief + "..." } else { brief }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -354,5 +396,28 @@ pulses = { step_x_36 = 5 }
         assert!(errors("circuit = \n").contains("bad.toml:1"));
         assert!(errors("\u{0}\u{1}").contains("S001"));
         assert!(parse("deep.toml", &"[".repeat(100_000)).is_err());
+    }
+
+    #[test]
+    fn a_number_that_does_not_fit_is_told_as_such() {
+        let text = "circuit = \"a/b\"\n[inputs]\na = 1e400\n[stop]\nticks = 18446744073709551616\n[parameters]\nN = \
+                    -9223372036854775809\n";
+        let text = errors(text);
+        assert_eq!(text.matches("this number does not fit").count(), 3, "{text}");
+        assert!(text.contains("a number of ticks of 0 to 18446744073709551615"), "{text}");
+    }
+
+    #[test]
+    fn errors_beyond_the_twentieth_are_counted_and_take_no_time() {
+        let keys: String = (0..100_000).map(|i| format!("k{i}=1\n")).collect();
+        let one_line: String = (0..30_000).map(|i| format!("k{i} = ")).collect();
+        let long = format!("{} = 1\n", "l".repeat(3_000_000));
+        let begin = std::time::Instant::now();
+        assert!(errors(&keys).contains("and 99981 more errors in bad.toml"));
+        for text in [one_line, long] {
+            assert!(errors(&text).len() < 20_000);
+        }
+        // A minute and more before: every error was compared with every key and told with its line.
+        assert!(begin.elapsed().as_secs() < 10, "{:?}", begin.elapsed());
     }
 }

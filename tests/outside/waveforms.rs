@@ -4,15 +4,15 @@ use std::io::Cursor;
 use std::path::Path;
 
 use proptest::prelude::*;
-use stepwright::golden::{Signals, Waveform, compare, read};
+use stepwright::golden::{How, Input, Signals, Waveform, compare, diff, read};
 use stepwright::trace::{Plan, SaveText};
 
 use super::tools;
 use super::trace::Trace;
 
 /// Every signal at every tick as our own reader finds it.
-fn check_with_our_reader(trace: &Trace, vcd: &[u8]) {
-    let wave = read("ours", vcd).expect("our own file");
+fn check_with_our_reader(trace: &Trace, file: &[u8]) {
+    let wave = read("ours", file).expect("our own file");
     assert!(wave.is_closed());
     assert_eq!(wave.names().count(), trace.signals.len());
     assert_eq!(wave.span(), trace.first..trace.first + trace.words.len() as u64);
@@ -20,7 +20,7 @@ fn check_with_our_reader(trace: &Trace, vcd: &[u8]) {
         for signal in &trace.signals {
             let value = wave.track(&signal.path.join(".")).and_then(|track| track.at(tick)).expect("a value");
             assert_eq!(value.word(), Some(words[signal.value.index()]), "{signal:?} at {tick}");
-            assert_eq!(value.bits.len(), signal.width as usize);
+            assert_eq!(value.width(), signal.width);
         }
     }
 }
@@ -56,15 +56,17 @@ proptest! {
         let trace = Trace::random(seed, count, ticks, first);
         let vcd = trace.vcd();
         check_with_our_reader(&trace, &vcd);
+        check_with_our_reader(&trace, &trace.fst());
         check_with_wellen(&trace, vcd);
         check_with_wellen(&trace, trace.fst());
     }
 }
 
 #[test]
-fn an_fst_of_many_blocks_is_read_back_by_wellen() {
+fn an_fst_of_many_blocks_is_read_back_by_us_and_by_wellen() {
     let trace = Trace::random(7, 80, 20_000, 0);
     let fst = trace.fst();
+    check_with_our_reader(&trace, &fst);
     // A block is written when it has 1 MiB, before compression.
     assert!(fst.len() > 1 << 20, "{} bytes", fst.len());
     check_with_wellen(&trace, fst);
@@ -91,6 +93,9 @@ fn vcd2fst_and_fst2vcd_keep_every_value_of_ours() {
         tools::run(folder.path(), "vcd2fst", &["ours.vcd", "converted.fst"]);
         for fst in ["converted.fst", "ours.fst"] {
             let theirs = by_fst2vcd(folder.path(), fst);
+            let [a, b] = ["ours.vcd", fst].map(|file| Input::file(&folder.path().join(file)));
+            let straight = diff(&a, &b, &How::default()).unwrap_or_else(|report| panic!("{report}")).comparison;
+            assert!(straight.is_equal(), "{fst}: {straight}");
             let comparison = compare(&ours, &theirs, Signals::Shared);
             assert!(comparison.is_equal(), "{fst}: {comparison}");
             assert_eq!(comparison.nets, trace.signals.len());
