@@ -1,7 +1,5 @@
 //! The sampler: compares the distinct values of a trace with those of the tick before, and yields what changed.
 
-use multiversion::multiversion;
-
 use super::{Frame, Plan, SlotId};
 
 /// A value that is not what it was at the tick before.
@@ -74,8 +72,7 @@ impl Sampler {
     }
 }
 
-/// Which of up to 64 words differ, as a mask; with the vector instructions that the machine turns out to have.
-#[multiversion(targets = "simd")]
+/// Which of up to 64 words differ, as a mask.
 fn changed(old: &[u64], new: &[u64]) -> u64 {
     let pairs = old.iter().zip(new).enumerate();
     pairs.fold(0, |mask, (i, (old, new))| mask | u64::from(old != new) << i)

@@ -10,14 +10,14 @@
 
 use std::io;
 
-use dynasmrt::mmap::{ExecutableBuffer, MutableBuffer};
+use memmap2::{Mmap, MmapMut};
 
 use super::encode::{Extent, Finished, Vectors};
 
 /// A loop over ticks in machine code.
 #[derive(Debug)]
 pub(super) struct Code {
-    buffer: ExecutableBuffer,
+    buffer: Mmap,
     vectors: Vectors,
     extent: Extent,
     stride: usize,
@@ -41,8 +41,7 @@ impl Code {
             return Err(io::ErrorKind::Unsupported.into());
         }
         let bytes = finished.bytes();
-        let mut buffer = MutableBuffer::new(bytes.len())?;
-        buffer.set_len(bytes.len());
+        let mut buffer = MmapMut::map_anon(bytes.len())?;
         buffer.copy_from_slice(bytes);
         Ok(Self {
             buffer: buffer.make_exec()?,

@@ -1,6 +1,6 @@
 //! The few x86-64 instructions that planes need, as bytes: 256-bit ones (VEX, AVX2) and 512-bit ones (EVEX, AVX-512F).
 //!
-//! See the Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2, 2.3 and 2.7. `dynasm` knows no EVEX.
+//! See the Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2, 2.3 and 2.7. No assembler crate at hand knows EVEX.
 
 use super::segment::Place;
 
