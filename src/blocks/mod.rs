@@ -7,6 +7,7 @@ mod body;
 mod builder;
 mod describe;
 mod gate;
+mod image;
 
 pub mod arithmetic;
 pub mod logic;
@@ -20,6 +21,7 @@ pub use body::{Body, InnerSignal};
 pub use builder::{Builder, Held};
 pub use describe::{Description, Direction, Kind, Parameter, Parameters, PortDescription, Width};
 pub use gate::Gate;
+pub use image::ImageFormat;
 
 /// Every block there is, by kind and then by name: each `pub static NAME: Block` in a file of a kind's folder, found
 /// when the crate is built.

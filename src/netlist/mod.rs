@@ -44,6 +44,7 @@
 //! | N029 | something that cannot be driven |
 //! | N030 | the attribute `fraction` out of its range |
 //! | N031 | a generate loop without a genvar or without an end |
+//! | N032 | a memory image: its name, or its file that is missing or too long |
 
 mod assemble;
 mod checked;
@@ -58,8 +59,8 @@ pub use load::load;
 
 use std::sync::Arc;
 
-/// Where modules come from that a circuit file uses but does not hold.
+/// Where the files come from that a circuit file uses: modules that it does not hold, and memory images.
 pub trait Library {
-    /// The text of the file that holds `module`, and the name that messages show for it.
-    fn find(&self, module: &str) -> Option<(String, Arc<str>)>;
+    /// The text of `file`, for example `summer_432.v`, and the name that messages show for it.
+    fn find(&self, file: &str) -> Option<(String, Arc<str>)>;
 }

@@ -55,6 +55,20 @@ pub(super) fn based(size: Option<&str>, signed: bool, base: char, digits: &str) 
     Ok(Literal { value, width, signed })
 }
 
+/// Reads what stands between the quotes of a string: a number of 8 bits a letter, the last one lowest (IEEE 1364-2005,
+/// 3.6).
+pub(super) fn string(letters: &str) -> Result<Literal, Refused> {
+    let help = "a string is a number here, 8 bits a letter: 1 to 8 letters of ASCII";
+    if let Some(strange) = letters.chars().find(|c| !c.is_ascii_graphic() || *c == '\\') {
+        return refused(format!("the letter `{}` in a string", strange.escape_default()), help);
+    }
+    if !(1..=8).contains(&letters.len()) {
+        return refused(format!("a string of {} letters", letters.len()), help);
+    }
+    let value = letters.bytes().fold(0, |value, letter| value << 8 | u64::from(letter));
+    Ok(Literal { value, width: Some(8 * letters.len() as u32), signed: false })
+}
+
 fn width_of(size: &str) -> Result<u32, Refused> {
     let width = value_of(size, 10).ok().and_then(|width| u32::try_from(width).ok());
     match width {
