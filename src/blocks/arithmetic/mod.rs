@@ -13,6 +13,7 @@ pub mod multiplier;
 pub mod ones_complement_accumulator;
 pub mod reference;
 pub mod rounder;
+pub mod scaling_multiplier;
 pub mod square_rooter;
 pub mod squaring_circuit;
 pub mod summer;

@@ -3,6 +3,7 @@
 pub mod binary_counter;
 pub mod checksum;
 mod glyphs;
+pub mod instruction_counter;
 pub mod instruction_memory;
 pub mod lfsr;
 pub mod pointer_table;

@@ -1,0 +1,126 @@
+//! Draws the sheet of docs/characters.svg: every character of FIG. 17 as its netlist draws it, tick by tick. Run it with
+//! `cargo run --release --example character_sheet > docs/characters.svg`.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use stepwright::base::word::{mask, signed};
+use stepwright::base::{Report, ValueId};
+use stepwright::compile::{Observe, compile};
+use stepwright::engine::{Engine, EngineKind};
+use stepwright::netlist::load;
+use stepwright::simulation::shipped::{self, Shelf};
+
+const CIRCUIT: &str = "us3809868/fig17_characters";
+/// Three guard stages: the steps of the path are those of the rounded curve, nearly.
+const PARAMETERS: &[(&str, i64)] = &[("GUARD", 3)];
+/// 1/8 of the enlarged scale, with 12 bits of fraction: capitals of 125 counts.
+const SCALE: i64 = 4096 / 8;
+const LINE: i64 = 215;
+
+/// The lines of the sheet, in the codes of Windows-1251 and what letters.glyphs adds to it.
+const LINES: &[&[u8]] = &[
+    b"US 3,809,868  FIG. 17",
+    b"ABCDEFGHIJKLMNOPQRSTUVWXYZ",
+    b"abcdefghijklmnopqrstuvwxyz",
+    b"0123456789 !\"#$%&'()*+,-./",
+    b":;<=>?@[\\]^_`{|}~",
+    b"\xC0\xC1\xC2\xC3\xC4\xC5\xA8\xC6\xC7\xC8\xC9\xCA\xCB\xCC\xCD\xCE\xCF",
+    b"\xD0\xD1\xD2\xD3\xD4\xD5\xD6\xD7\xD8\xD9\xDA\xDB\xDC\xDD\xDE\xDF",
+    b"\xE0\xE1\xE2\xE3\xE4\xE5\xB8\xE6\xE7\xE8\xE9\xEA\xEB\xEC\xED\xEE\xEF\xF0\xF1\xF2\xF3\xF4",
+    b"\xF5\xF6\xF7\xF8\xF9\xFA\xFB\xFC\xFD\xFE\xFF",
+    b"\x85 \x96 \x97 \xAB \xBB \xB0 \xB1 \xB5 \xB7 \xB9 \x98 \x18\x19\x1A\x1B\x1D",
+    b"Sphinx of black quartz, 5 \xB5F",
+    b"\xD1\xFA\xE5\xF8\xFC \xE5\xF9\xB8 \xFD\xF2\xE8\xF5 \xE1\xF3\xEB\xEE\xEA!",
+];
+
+fn main() -> Result<(), Report> {
+    let mut machine = Machine::new()?;
+    let (mut paths, mut width) = (String::new(), 0);
+    for (row, line) in (1..).zip(LINES) {
+        let mut pen = [0, -LINE * row];
+        for &code in *line {
+            pen = machine.draw(code, pen, &mut paths);
+        }
+        width = width.max(pen[0]);
+    }
+    let height = LINE * LINES.len() as i64 + 100;
+    println!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-40 -20 {} {}\">\n\
+         <title>Characters of US 3,809,868, FIG. 17, drawn by the netlist {CIRCUIT}</title>\n\
+         <desc>One unit is one count of X or Y; capitals are 125 counts high, lines 10 counts wide.\n\
+         Made by cargo run --release --example character_sheet</desc>\n\
+         <rect x=\"-40\" y=\"-20\" width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
+         <g transform=\"scale(1 -1)\" fill=\"none\" stroke=\"black\" stroke-width=\"10\" stroke-linecap=\"round\" \
+         stroke-linejoin=\"round\">\n{paths}</g>\n</svg>",
+        width + 80,
+        height
+    );
+    Ok(())
+}
+
+/// FIG. 17 on the fastest engine.
+struct Machine {
+    engine: Box<dyn Engine>,
+    inputs: HashMap<String, (usize, u32)>,
+    outputs: HashMap<String, (ValueId, u32)>,
+}
+
+impl Machine {
+    fn new() -> Result<Self, Report> {
+        let text = shipped::text(&format!("{CIRCUIT}.v")).expect("a shipped circuit");
+        let parameters: Vec<_> = PARAMETERS.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
+        let netlist = load(&format!("{CIRCUIT}.v"), text, None, &Shelf { near: CIRCUIT }, &parameters)?;
+        let nothing = |_: &str| false;
+        let program = Arc::new(compile(&netlist, &Observe { signals: &nothing, until: None, pulses: false }));
+        let inputs = program.inputs.iter().enumerate().map(|(i, port)| (port.name.clone(), (i, port.width))).collect();
+        let outputs = program.outputs.iter().map(|port| (port.name.clone(), (port.value, port.width))).collect();
+        Ok(Self { engine: EngineKind::Auto.build(program, 100_000_000)?, inputs, outputs })
+    }
+
+    fn set(&mut self, name: &str, value: i64) {
+        let (input, width) = self.inputs[name];
+        self.engine.set_input(input, value as u64 & mask(width));
+    }
+
+    fn read(&self, name: &str) -> i64 {
+        let (value, width) = self.outputs[name];
+        signed(self.engine.value(value), width)
+    }
+
+    /// Draws a character from `pen` on into `paths`; where the next one begins.
+    fn draw(&mut self, code: u8, pen: [i64; 2], paths: &mut String) -> [i64; 2] {
+        let start = [("start", 1), ("code_449", code.into()), ("x0", pen[0]), ("y0", pen[1]), ("scale_514", SCALE)];
+        start.iter().for_each(|(name, value)| self.set(name, *value));
+        self.engine.settle();
+        self.engine.advance(1, false);
+        self.set("start", 0);
+        self.engine.settle();
+        let mut stroke = Vec::new();
+        while self.read("done") == 0 {
+            if self.read("mark") != 0 {
+                stroke.push([self.read("x"), self.read("y")]);
+            } else {
+                append(paths, &std::mem::take(&mut stroke));
+            }
+            self.engine.advance(1, false);
+        }
+        assert_eq!(self.read("error"), 0, "character {code:02X}");
+        [self.read("x"), self.read("y")]
+    }
+}
+
+/// A stroke as a path: points where it turns, and its ends.
+fn append(paths: &mut String, stroke: &[[i64; 2]]) {
+    let [first, .., last] = stroke else { return };
+    let step = |a: [i64; 2], b: [i64; 2]| [b[0] - a[0], b[1] - a[1]];
+    let mut points = stroke.to_vec();
+    points.dedup();
+    paths.push_str(&format!("<path d=\"M{} {}", first[0], first[1]));
+    for around in points.windows(3) {
+        if step(around[0], around[1]) != step(around[1], around[2]) {
+            paths.push_str(&format!("L{} {}", around[1][0], around[1][1]));
+        }
+    }
+    paths.push_str(&format!("L{} {}\"/>\n", last[0], last[1]));
+}
