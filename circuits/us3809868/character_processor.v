@@ -110,9 +110,11 @@ module character_processor (
     register #(.WIDTH(16)) register_507_k (.clk(clk), .word(word_2), .enable(curve_506), .clear(1'b0), .q(k_507));
     register #(.WIDTH(16)) register_507_l (.clk(clk), .word(word_3), .enable(curve_506), .clear(1'b0), .q(l_507));
     register #(.WIDTH(16)) register_507_m (.clk(clk), .word(word_4), .enable(curve_506), .clear(1'b0), .q(m_507));
-    wire signed [15:0] j_or_x, k_or_y;
+    wire signed [15:0] j_or_x, k_or_y, l_or_0, m_or_0;
     multiplexer #(.WIDTH(16)) gate_506_x (.a(other_506), .b(position_506), .x1(j_507), .x2(word_1), .z(j_or_x));
     multiplexer #(.WIDTH(16)) gate_506_y (.a(other_506), .b(position_506), .x1(k_507), .x2(word_2), .z(k_or_y));
+    multiplexer #(.WIDTH(16)) gate_506_l (.a(other_506), .b(1'b0), .x1(l_507), .x2(16'd0), .z(l_or_0));
+    multiplexer #(.WIDTH(16)) gate_506_m (.a(other_506), .b(1'b0), .x1(m_507), .x2(16'd0), .z(m_or_0));
 
     // 514: the reduction, by the factor that came with the start.
     (* fraction = 12 *) wire signed [15:0] factor_514;
@@ -125,8 +127,8 @@ module character_processor (
         .factor_471(factor_514),
         .j(j_or_x),
         .k(k_or_y),
-        .l(l_507),
-        .m(m_507),
+        .l(l_or_0),
+        .m(m_or_0),
         .j_out(j),
         .k_out(k),
         .l_out(l),

@@ -1,0 +1,94 @@
+//! The memory image of FIG. 17: a file of one's own, and what is told of one that is missing or wrong.
+
+use std::sync::Arc;
+
+use stepwright::base::Report;
+use stepwright::compile::{Observe, compile};
+use stepwright::netlist::{Library, Netlist, load};
+use stepwright::simulation::shipped::{self, Shelf};
+
+use super::machine::Machine;
+
+const CIRCUIT: &str = "us3809868/fig17_characters";
+
+/// The shipped circuits, and one image.
+struct Images<'a>(&'a str, &'a str);
+
+impl Library for Images<'_> {
+    fn find(&self, file: &str) -> Option<(String, Arc<str>)> {
+        let own = (file == self.0).then(|| (format!("my/{file}"), Arc::from(self.1)));
+        own.or_else(|| Shelf { near: CIRCUIT }.find(file))
+    }
+}
+
+/// The number that Verilog makes of a string.
+fn string(letters: &str) -> i64 {
+    letters.bytes().fold(0, |number, letter| number << 8 | i64::from(letter))
+}
+
+fn netlist(image: i64, images: &Images) -> Result<Netlist, Report> {
+    let text = shipped::text(&format!("{CIRCUIT}.v")).expect("shipped");
+    let parameters = [("IMAGE".to_owned(), image), ("GUARD".to_owned(), 0)];
+    load("fig17_characters.v", text, None, images, &parameters)
+}
+
+/// FIG. 17 with an image of one's own.
+pub fn machine_with(image: &str) -> Machine {
+    let netlist = netlist(string("own"), &Images("own.glyphs", image)).unwrap_or_else(|report| panic!("{report}"));
+    Machine::new(&Arc::new(compile(&netlist, &Observe::OUTPUTS)))
+}
+
+fn refusal(name: &str, images: &Images) -> String {
+    netlist(string(name), images).expect_err("refused").to_string()
+}
+
+#[test]
+fn a_missing_file_and_a_name_that_is_none_are_told_with_the_place_that_wants_them() {
+    let none = Images("", "");
+    let missing = refusal("nowhere", &none);
+    for part in
+        ["error[N032]: there is no file `nowhere.glyphs` beside the circuit", "fig17_characters.v:", "table_500"]
+    {
+        assert!(missing.contains(part), "{missing}");
+    }
+    assert_eq!(missing.matches("error[").count(), 2, "once for 500, once for 502: {missing}");
+    for name in ["../a", "a b", "a.b"] {
+        let wrong = refusal(name, &none);
+        assert!(wrong.contains("which is no name of a file"), "{wrong}");
+    }
+}
+
+#[test]
+fn all_mistakes_of_a_file_are_told_at_once_each_with_file_line_and_column() {
+    let text = "glyph 41 A\n  move 0 O\n  advance 5\nglyph 41 B\n  arc 1 2 3\n";
+    let told = refusal("own", &Images("own.glyphs", text));
+    for place in ["my/own.glyphs:2:10", "my/own.glyphs:4:7", "my/own.glyphs:5:3", "my/own.glyphs:4:1"] {
+        assert!(told.contains(place), "{place}: {told}");
+    }
+    assert_eq!(told.matches("error[").count(), 4, "though two blocks read the file: {told}");
+}
+
+#[test]
+fn a_file_without_end_is_refused_before_it_is_read() {
+    let told = refusal("own", &Images("own.glyphs", &"// long\n".repeat(600_000)));
+    assert!(told.contains("has 4800000 bytes; at most 4194304 are read"), "{told}");
+}
+
+#[test]
+fn an_image_of_ones_own_is_drawn() {
+    let mut machine = machine_with("glyph 2A box\n move 1 2\n line 5 2\n line 5 9\n advance 7\n");
+    machine.set(&[("start", 1), ("code_449", 0x2A), ("scale_514", 4096), ("x0", 100)]);
+    machine.tick();
+    machine.set(&[("start", 0)]);
+    let mut marked = Vec::new();
+    while machine.get("done") == 0 {
+        if machine.get("mark") == 1 {
+            marked.push(["x", "y"].map(|name| machine.get_signed(name)));
+        }
+        machine.tick();
+    }
+    marked.dedup();
+    let along: Vec<_> = (101..=105).map(|x| [x, 2]).chain((3..=9).map(|y| [105, y])).collect();
+    assert_eq!(marked, along);
+    assert_eq!([machine.get_signed("x"), machine.get_signed("y")], [107, 0]);
+}
