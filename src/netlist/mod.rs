@@ -44,7 +44,7 @@
 //! | N029 | something that cannot be driven |
 //! | N030 | the attribute `fraction` out of its range |
 //! | N031 | a generate loop without a genvar or without an end |
-//! | N032 | a memory image: its name, or its file that is missing or too long |
+//! | N050 | a memory image: its name, or its file that is missing |
 
 mod assemble;
 mod checked;

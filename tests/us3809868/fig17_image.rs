@@ -47,7 +47,7 @@ fn a_missing_file_and_a_name_that_is_none_are_told_with_the_place_that_wants_the
     let none = Images("", "");
     let missing = refusal("nowhere", &none);
     for part in
-        ["error[N032]: there is no file `nowhere.glyphs` beside the circuit", "fig17_characters.v:", "table_500"]
+        ["error[N050]: there is no file `nowhere.glyphs` beside the circuit", "fig17_characters.v:", "table_500"]
     {
         assert!(missing.contains(part), "{missing}");
     }

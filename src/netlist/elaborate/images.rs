@@ -51,27 +51,31 @@ impl<'t> Inside<'_, '_, 't> {
             }
             Err(errors) => errors,
         };
+        let given = instance.overrides.iter().find(|given| *given.name.text == *format.parameter);
+        let place = given.map_or(instance.name.span, |given| given.span);
         for error in errors {
-            let placed = !error.labels.is_empty();
-            self.report(if placed { error } else { error.at(instance.name.span, "wanted here") });
+            let has_place = !error.labels.is_empty();
+            self.report(if has_place { error } else { error.at(place, "wanted here") });
         }
         false
     }
 
     fn read_image(&mut self, format: &ImageFormat, value: i64) -> Result<MemoryImage, Vec<Diagnostic>> {
-        let wrong = |message| {
+        let wrong = |code, message| {
+            let ImageFormat { parameter, ending, summary, .. } = format;
             let help =
-                format!("`{}` is the name, without its ending, of a file beside the circuit: ", format.parameter);
-            vec![Diagnostic::new("N032", message).help(help + format.summary)]
+                format!("`{parameter}` names a file beside the circuit, without its ending `.{ending}`: {summary}");
+            vec![Diagnostic::new(code, message).help(help)]
         };
         let Some(file) = format.file_name(value) else {
-            return Err(wrong(format!("`{}` is {value}, which is no name of a file", format.parameter)));
+            return Err(wrong("N050", format!("`{}` is {value}, which is no name of a file", format.parameter)));
         };
         let Some((source, text)) = self.elaborator.images.text(&file) else {
-            return Err(wrong(format!("there is no file `{file}` beside the circuit")));
+            return Err(wrong("N050", format!("there is no file `{file}` beside the circuit")));
         };
         if text.len() > limits::IMAGE_BYTES {
-            return Err(wrong(format!("`{file}` has {} bytes; at most {} are read", text.len(), limits::IMAGE_BYTES)));
+            let most = limits::IMAGE_BYTES;
+            return Err(wrong("N006", format!("`{file}` has {} bytes; at most {most} are read", text.len())));
         }
         (format.read)(source, &text)
     }

@@ -90,7 +90,7 @@ impl Parser<'_> {
 
     fn string(&mut self) -> Parsed<Expr> {
         let span = self.token.span;
-        match number::string(self.text().trim_matches('"')) {
+        match number::string(self.text()) {
             Ok(literal) => {
                 self.bump();
                 self.make(span, ExprKind::Number(literal))

@@ -55,10 +55,12 @@ pub(super) fn based(size: Option<&str>, signed: bool, base: char, digits: &str) 
     Ok(Literal { value, width, signed })
 }
 
-/// Reads what stands between the quotes of a string: a number of 8 bits a letter, the last one lowest (IEEE 1364-2005,
-/// 3.6).
-pub(super) fn string(letters: &str) -> Result<Literal, Refused> {
+/// Reads a string, quotes included: a number of 8 bits a letter, the last one lowest (IEEE 1364-2005, 3.6).
+pub(super) fn string(token: &str) -> Result<Literal, Refused> {
     let help = "a string is a number here, 8 bits a letter: 1 to 8 letters of ASCII";
+    let Some(letters) = token.strip_prefix('"').and_then(|token| token.strip_suffix('"')) else {
+        return refused("a string without its end", help);
+    };
     if let Some(strange) = letters.chars().find(|c| !c.is_ascii_graphic() || *c == '\\') {
         return refused(format!("the letter `{}` in a string", strange.escape_default()), help);
     }
