@@ -110,17 +110,15 @@ impl Machine {
     }
 }
 
-/// A stroke as a path: points where it turns, and its ends.
+/// A stroke as a path: its steps, those in one direction as one.
 fn append(paths: &mut String, stroke: &[[i64; 2]]) {
-    let [first, .., last] = stroke else { return };
-    let step = |a: [i64; 2], b: [i64; 2]| [b[0] - a[0], b[1] - a[1]];
-    let mut points = stroke.to_vec();
-    points.dedup();
-    paths.push_str(&format!("<path d=\"M{} {}", first[0], first[1]));
-    for around in points.windows(3) {
-        if step(around[0], around[1]) != step(around[1], around[2]) {
-            paths.push_str(&format!("L{} {}", around[1][0], around[1][1]));
-        }
+    let Some([x, y]) = stroke.first() else { return };
+    paths.push_str(&format!("<path d=\"M{x} {y}"));
+    let steps = stroke.windows(2).map(|pair| [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]]);
+    let steps: Vec<_> = steps.filter(|step| *step != [0, 0]).collect();
+    for run in steps.chunk_by(|a, b| a == b) {
+        let [dx, dy] = run[0].map(|step| step * run.len() as i64);
+        paths.push_str(&format!("l{dx} {dy}"));
     }
-    paths.push_str(&format!("L{} {}\"/>\n", last[0], last[1]));
+    paths.push_str("\"/>\n");
 }
