@@ -1,15 +1,9 @@
 //! Draws the sheet of docs/characters.svg: every character of FIG. 17 as its netlist draws it, tick by tick. Run it with
 //! `cargo run --release --example character_sheet > docs/characters.svg`.
 
-use std::collections::HashMap;
-use std::sync::Arc;
-
-use stepwright::base::word::{mask, signed};
-use stepwright::base::{Report, ValueId};
-use stepwright::compile::{Observe, compile};
-use stepwright::engine::{Engine, EngineKind};
-use stepwright::netlist::load;
-use stepwright::simulation::shipped::{self, Shelf};
+use stepwright::base::Report;
+use stepwright::simulation::{Circuit, Run};
+use stepwright::trace::Select;
 
 const CIRCUIT: &str = "us3809868/fig17_characters";
 /// Three guard stages: the steps of the path are those of the rounded curve, nearly.
@@ -35,12 +29,15 @@ const LINES: &[&[u8]] = &[
 ];
 
 fn main() -> Result<(), Report> {
-    let mut machine = Machine::new()?;
+    let session = PARAMETERS.iter().fold(Circuit::shipped(CIRCUIT)?.session(), |session, (name, value)| {
+        session.parameter(name, *value).ticks(100_000_000)
+    });
+    let mut machine = session.observe(Select::new::<&str>([])?).start()?;
     let (mut paths, mut width) = (String::new(), 0);
     for (row, line) in (1..).zip(LINES) {
         let mut pen = [0, -LINE * row];
         for &code in *line {
-            pen = machine.draw(code, pen, &mut paths);
+            pen = draw(&mut machine, code, pen, &mut paths)?;
         }
         width = width.max(pen[0]);
     }
@@ -59,55 +56,29 @@ fn main() -> Result<(), Report> {
     Ok(())
 }
 
-/// FIG. 17 on the fastest engine.
-struct Machine {
-    engine: Box<dyn Engine>,
-    inputs: HashMap<String, (usize, u32)>,
-    outputs: HashMap<String, (ValueId, u32)>,
-}
-
-impl Machine {
-    fn new() -> Result<Self, Report> {
-        let text = shipped::text(&format!("{CIRCUIT}.v")).expect("a shipped circuit");
-        let parameters: Vec<_> = PARAMETERS.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
-        let netlist = load(&format!("{CIRCUIT}.v"), text, None, &Shelf { near: CIRCUIT }, &parameters)?;
-        let nothing = |_: &str| false;
-        let program = Arc::new(compile(&netlist, &Observe { signals: &nothing, until: None, pulses: false }));
-        let inputs = program.inputs.iter().enumerate().map(|(i, port)| (port.name.clone(), (i, port.width))).collect();
-        let outputs = program.outputs.iter().map(|port| (port.name.clone(), (port.value, port.width))).collect();
-        Ok(Self { engine: EngineKind::Auto.build(program, 100_000_000)?, inputs, outputs })
+/// Draws a character from `pen` on into `paths`; where the next one begins.
+fn draw(machine: &mut Run, code: u8, pen: [i64; 2], paths: &mut String) -> Result<[i64; 2], Report> {
+    let start = machine.input("start")?;
+    for (name, value) in [("code_449", code.into()), ("x0", pen[0]), ("y0", pen[1]), ("scale_514", SCALE)] {
+        let input = machine.input(name)?;
+        machine.set(input, value)?;
     }
-
-    fn set(&mut self, name: &str, value: i64) {
-        let (input, width) = self.inputs[name];
-        self.engine.set_input(input, value as u64 & mask(width));
-    }
-
-    fn read(&self, name: &str) -> i64 {
-        let (value, width) = self.outputs[name];
-        signed(self.engine.value(value), width)
-    }
-
-    /// Draws a character from `pen` on into `paths`; where the next one begins.
-    fn draw(&mut self, code: u8, pen: [i64; 2], paths: &mut String) -> [i64; 2] {
-        let start = [("start", 1), ("code_449", code.into()), ("x0", pen[0]), ("y0", pen[1]), ("scale_514", SCALE)];
-        start.iter().for_each(|(name, value)| self.set(name, *value));
-        self.engine.settle();
-        self.engine.advance(1, false);
-        self.set("start", 0);
-        self.engine.settle();
-        let mut stroke = Vec::new();
-        while self.read("done") == 0 {
-            if self.read("mark") != 0 {
-                stroke.push([self.read("x"), self.read("y")]);
-            } else {
-                append(paths, &std::mem::take(&mut stroke));
-            }
-            self.engine.advance(1, false);
+    machine.set(start, 1)?;
+    machine.step(1);
+    machine.set(start, 0)?;
+    let [mark, done, error] = [machine.net("mark")?, machine.net("done")?, machine.net("error")?];
+    let place = [machine.net("x")?, machine.net("y")?];
+    let mut stroke = Vec::new();
+    while machine.read(done) == 0 {
+        if machine.read(mark) == 1 {
+            stroke.push(place.map(|axis| machine.read(axis) as i64));
+        } else {
+            append(paths, &std::mem::take(&mut stroke));
         }
-        assert_eq!(self.read("error"), 0, "character {code:02X}");
-        [self.read("x"), self.read("y")]
+        machine.step(1);
     }
+    assert_eq!(machine.read(error), 0, "character {code:02X}");
+    Ok(place.map(|axis| machine.read(axis) as i64))
 }
 
 /// A stroke as a path: its steps, those in one direction as one.

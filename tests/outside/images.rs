@@ -1,8 +1,6 @@
 //! Icarus holds the very words of a memory image that we hold.
 
-use stepwright::netlist;
-use stepwright::simulation::{resolve, shipped};
-use stepwright::{base, scenario};
+use stepwright::simulation::{Circuit, EngineKind};
 
 use super::circuits::judge;
 use super::tools;
@@ -35,13 +33,10 @@ fn icarus_holds_every_word_and_pointer_of_the_shipped_image() {
     if !tools::present(&["iverilog", "vvp"]) {
         return;
     }
-    let shelf = shipped::Shelf { near: "us3809868/image" };
-    let netlist = netlist::load("image.v", CIRCUIT, None, &shelf, &[]).unwrap_or_else(|report| panic!("{report}"));
-    let depth = netlist.cells.iter().flat_map(|cell| &cell.body.graph.roms).map(|rom| rom.image.depth()).max();
-    let ticks = depth.expect("a memory") + 20;
-    let text = format!("title = \"all words\"\ncircuit = \"image\"\n[stop]\nticks = {ticks}\n");
-    let scenario = scenario::parse("image.toml", &text).unwrap_or_else(|report| panic!("{report}"));
-    let stimulus = resolve(&netlist, &scenario)
-        .unwrap_or_else(|errors| panic!("{}", base::Report::new(base::Sources::default(), errors)));
-    judge("image", &netlist, &stimulus).unwrap_or_else(|difference| panic!("{difference}"));
+    let session = Circuit::text("circuits/us3809868/image.v", CIRCUIT).session().engine(EngineKind::Interpreter);
+    let session = |ticks| session.clone().ticks(ticks).elaborate().unwrap_or_else(|report| panic!("{report}"));
+    let depth =
+        session(1).netlist().cells.iter().flat_map(|cell| &cell.body.graph.roms).map(|rom| rom.image.depth()).max();
+    let design = session(depth.expect("a memory") as u64 + 20);
+    judge("image", &design).unwrap_or_else(|difference| panic!("{difference}"));
 }

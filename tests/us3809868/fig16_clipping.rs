@@ -1,6 +1,6 @@
 //! FIG. 16: what is inside a window.
 
-use super::machine::{Machine, Random, Stroke, program};
+use super::machine::{Machine, Random, Stroke, session};
 
 const CIRCUIT: &str = "us3809868/fig16_clipping";
 
@@ -83,8 +83,7 @@ endmodule
 
 #[test]
 fn on_a_stroke_the_mark_is_off_just_while_the_point_is_outside() {
-    let program = program("us3809868/clipped", CLIPPED, &[], &[]);
-    let mut machine = Machine::new(&program);
+    let mut machine = Machine::new(&session("us3809868/clipped", CLIPPED, &[], &[]));
     let stroke = Stroke { jklm: [-300, 0, 0, 250], from: [-150, 0], quarters: 4 };
     machine.set(&stroke.inputs());
     machine.tick();

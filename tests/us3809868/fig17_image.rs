@@ -1,51 +1,33 @@
 //! The memory image of FIG. 17: a file of one's own, and what is told of one that is missing or wrong.
 
-use std::sync::Arc;
-
-use stepwright::base::Report;
-use stepwright::compile::{Observe, compile};
-use stepwright::netlist::{Library, Netlist, load};
-use stepwright::simulation::shipped::{self, Shelf};
+use stepwright::simulation::{Circuit, Session};
+use stepwright::trace::Select;
 
 use super::machine::Machine;
 
-const CIRCUIT: &str = "us3809868/fig17_characters";
-
-/// The shipped circuits, and one image.
-struct Images<'a>(&'a str, &'a str);
-
-impl Library for Images<'_> {
-    fn find(&self, file: &str) -> Option<(String, Arc<str>)> {
-        let own = (file == self.0).then(|| (format!("my/{file}"), Arc::from(self.1)));
-        own.or_else(|| Shelf { near: CIRCUIT }.find(file))
-    }
-}
-
-/// The number that Verilog makes of a string.
-fn string(letters: &str) -> i64 {
-    letters.bytes().fold(0, |number, letter| number << 8 | i64::from(letter))
-}
-
-fn netlist(image: i64, images: &Images) -> Result<Netlist, Report> {
-    let text = shipped::text(&format!("{CIRCUIT}.v")).expect("shipped");
-    let parameters = [("IMAGE".to_owned(), image), ("GUARD".to_owned(), 0)];
-    load("fig17_characters.v", text, None, images, &parameters)
+/// FIG. 17 with the image `name`, which is looked for in a folder that holds just the file `own.glyphs` with `text`.
+fn session(name: &str, text: &str) -> (Session, tempfile::TempDir) {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("own.glyphs"), text).expect("a file");
+    let circuit = Circuit::shipped("us3809868/fig17_characters").unwrap_or_else(|report| panic!("{report}"));
+    // The number that Verilog makes of a string.
+    let name = name.bytes().fold(0, |number, letter| number << 8 | i64::from(letter));
+    (circuit.with_library(folder.path()).session().parameter("IMAGE", name), folder)
 }
 
 /// FIG. 17 with an image of one's own.
 pub fn machine_with(image: &str) -> Machine {
-    let netlist = netlist(string("own"), &Images("own.glyphs", image)).unwrap_or_else(|report| panic!("{report}"));
-    Machine::new(&Arc::new(compile(&netlist, &Observe::OUTPUTS)))
+    let (session, _folder) = session("own", image);
+    Machine::new(&session.observe(Select::new::<&str>([]).expect("no globs")))
 }
 
-fn refusal(name: &str, images: &Images) -> String {
-    netlist(string(name), images).expect_err("refused").to_string()
+fn refusal(name: &str, text: &str) -> String {
+    session(name, text).0.elaborate().map(drop).expect_err("refused").to_string()
 }
 
 #[test]
 fn a_missing_file_and_a_name_that_is_none_are_told_with_the_place_that_wants_them() {
-    let none = Images("", "");
-    let missing = refusal("nowhere", &none);
+    let missing = refusal("nowhere", "");
     for part in
         ["error[N050]: there is no file `nowhere.glyphs` beside the circuit", "fig17_characters.v:", "table_500"]
     {
@@ -53,7 +35,7 @@ fn a_missing_file_and_a_name_that_is_none_are_told_with_the_place_that_wants_the
     }
     assert_eq!(missing.matches("error[").count(), 2, "once for 500, once for 502: {missing}");
     for name in ["../a", "a b", "a.b"] {
-        let wrong = refusal(name, &none);
+        let wrong = refusal(name, "");
         assert!(wrong.contains("which is no name of a file"), "{wrong}");
     }
 }
@@ -61,8 +43,8 @@ fn a_missing_file_and_a_name_that_is_none_are_told_with_the_place_that_wants_the
 #[test]
 fn all_mistakes_of_a_file_are_told_at_once_each_with_file_line_and_column() {
     let text = "glyph 41 A\n  move 0 O\n  advance 5\nglyph 41 B\n  arc 1 2 3\n";
-    let told = refusal("own", &Images("own.glyphs", text));
-    for place in ["my/own.glyphs:2:10", "my/own.glyphs:4:7", "my/own.glyphs:5:3", "my/own.glyphs:4:1"] {
+    let told = refusal("own", text);
+    for place in ["own.glyphs:2:10", "own.glyphs:4:7", "own.glyphs:5:3", "own.glyphs:4:1"] {
         assert!(told.contains(place), "{place}: {told}");
     }
     assert_eq!(told.matches("error[").count(), 4, "though two blocks read the file: {told}");
@@ -70,7 +52,7 @@ fn all_mistakes_of_a_file_are_told_at_once_each_with_file_line_and_column() {
 
 #[test]
 fn a_file_without_end_is_refused_before_it_is_read() {
-    let told = refusal("own", &Images("own.glyphs", &"// long\n".repeat(600_000)));
+    let told = refusal("own", &"// long\n".repeat(600_000));
     assert!(told.contains("has 4800000 bytes; at most 4194304 are read"), "{told}");
 }
 
