@@ -29,6 +29,15 @@ const LINES: &[&[u8]] = &[
 ];
 
 fn main() -> Result<(), Report> {
+    print!("{}", sheet()?);
+    Ok(())
+}
+
+/// The sheet as SVG.
+///
+/// # Errors
+/// What is wrong with the circuit or its glyphs.
+pub fn sheet() -> Result<String, Report> {
     let session = PARAMETERS.iter().fold(Circuit::shipped(CIRCUIT)?.session(), |session, (name, value)| {
         session.parameter(name, *value).ticks(100_000_000)
     });
@@ -42,18 +51,17 @@ fn main() -> Result<(), Report> {
         width = width.max(pen[0]);
     }
     let height = LINE * LINES.len() as i64 + 100;
-    println!(
+    Ok(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-40 -20 {} {}\">\n\
          <title>Characters of US 3,809,868, FIG. 17, drawn by the netlist {CIRCUIT}</title>\n\
          <desc>One unit is one count of X or Y; capitals are 125 counts high, lines 10 counts wide.\n\
          Made by cargo run --release --example character_sheet</desc>\n\
          <rect x=\"-40\" y=\"-20\" width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
          <g transform=\"scale(1 -1)\" fill=\"none\" stroke=\"black\" stroke-width=\"10\" stroke-linecap=\"round\" \
-         stroke-linejoin=\"round\">\n{paths}</g>\n</svg>",
+         stroke-linejoin=\"round\">\n{paths}</g>\n</svg>\n",
         width + 80,
         height
-    );
-    Ok(())
+    ))
 }
 
 /// Draws a character from `pen` on into `paths`; where the next one begins.

@@ -7,6 +7,10 @@ use rayon::prelude::*;
 use super::glyph_file::{Glyph, Stroke, shipped};
 use super::machine::{Machine, Parameters};
 
+#[path = "../../examples/character_sheet.rs"]
+#[expect(dead_code, reason = "its main function is not wanted here")]
+mod character_sheet;
+
 const CIRCUIT: &str = "us3809868/fig17_characters";
 /// 11 bits reach the coefficients of a glyph at its full scale.
 const FULL: Parameters = &[("WIDTH", 11), ("ENTRIES", 64), ("ENTRY_WIDTH", 6)];
@@ -170,4 +174,12 @@ fn every_code_has_the_character_that_its_encoding_says_and_none_that_is_wanted_i
     for wanted in ascii.chain(cyrillic).chain(symbols) {
         assert!(found.contains_key(&wanted), "{wanted}");
     }
+}
+
+#[test]
+fn the_sheet_in_the_documentation_is_what_the_netlist_draws() {
+    let drawn = character_sheet::sheet().unwrap_or_else(|report| panic!("{report}"));
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/characters.svg");
+    let kept = std::fs::read_to_string(path).expect("the sheet");
+    assert!(drawn == kept, "cargo run --release --example character_sheet > docs/characters.svg, and look at it");
 }

@@ -74,3 +74,20 @@ fn an_image_of_ones_own_is_drawn() {
     assert_eq!(marked, along);
     assert_eq!([machine.get_signed("x"), machine.get_signed("y")], [107, 0]);
 }
+
+#[test]
+fn the_command_line_and_a_scenario_name_the_image_as_a_string() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("a file");
+    let circuit = stepwright::simulation::shipped::text("us3809868/fig17_characters.v").expect("shipped");
+    write("fig17_characters.v", circuit);
+    write("own.glyphs", "glyph 2A dot\n advance 7\n");
+    write("dot.toml", "circuit = \"fig17_characters.v\"\n[parameters]\nIMAGE = \"own\"\n");
+    let inputs = ["-s", "start=1", "-s", "code_449=0x2A", "-s", "scale_514=1.0", "--until", "done", "--json"];
+    for target in [&["fig17_characters.v", "-p", "IMAGE=\"own\""][..], &["./dot.toml"]] {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_stepwright"));
+        let output = command.current_dir(folder.path()).arg("run").args(target).args(inputs).output().expect("it runs");
+        let json = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(json.contains("\"x\":7"), "{target:?}: {json} {}", String::from_utf8_lossy(&output.stderr));
+    }
+}
