@@ -36,7 +36,7 @@ impl Bench {
         }
         if let Some(text) = text {
             let format = block.image().expect("a block with an image");
-            values.set_image((format.read)(SourceId::new(0), text).expect("a good image"));
+            values.set_image(Arc::new((format.read)(SourceId::new(0), text).expect("a good image")));
         }
         block.check(&values).expect("accepted parameters");
         let program = Arc::new(program_of(block.description(), Builder::build(block, &values)));

@@ -1,6 +1,7 @@
 //! How a block describes itself: its ports with their widths, its parameters with their ranges.
 
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 use crate::base::MemoryImage;
@@ -168,10 +169,17 @@ impl fmt::Display for Width {
 }
 
 /// The values of a block's parameters, in the order of its description, and the memory image that one of them names.
-#[derive(Clone, PartialEq, Eq, Hash, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Parameters {
     values: Vec<(&'static str, i64)>,
     image: Option<Arc<MemoryImage>>,
+}
+
+/// By the values alone: an image is long, and one of the values names it.
+impl Hash for Parameters {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.values.hash(state);
+    }
 }
 
 impl Parameters {
@@ -198,8 +206,8 @@ impl Parameters {
     }
 
     /// Adds the memory image that a parameter names.
-    pub fn set_image(&mut self, image: MemoryImage) {
-        self.image = Some(Arc::new(image));
+    pub fn set_image(&mut self, image: Arc<MemoryImage>) {
+        self.image = Some(image);
     }
 
     /// The memory image, if a parameter names one.

@@ -91,3 +91,24 @@ fn the_command_line_and_a_scenario_name_the_image_as_a_string() {
         assert!(json.contains("\"x\":7"), "{target:?}: {json} {}", String::from_utf8_lossy(&output.stderr));
     }
 }
+
+/// Many tables of one image.
+const MANY: &str = "
+module many (input wire [7:0] code, output wire known);
+    genvar i;
+    for (i = 0; i < 20000; i = i + 1) begin : tables
+        pointer_table #(.IMAGE(\"own\")) table_500 (.code(code), .pointer(), .known());
+    end
+    assign known = code[0];
+endmodule
+";
+
+#[test]
+fn thousands_of_instances_share_one_image() {
+    let (_, folder) = session("own", &format!("glyph 2A x\n{} advance 7\n", "move 0 0\n".repeat(10_000)));
+    let circuit = Circuit::text("many.v", MANY).with_library(folder.path());
+    let design = circuit.session().elaborate().unwrap_or_else(|report| panic!("{report}"));
+    let cells = &design.netlist().cells;
+    assert_eq!(cells.len(), 20_000);
+    assert!(cells.iter().all(|cell| std::sync::Arc::ptr_eq(&cell.body, &cells[0].body)));
+}

@@ -120,7 +120,7 @@ fn show_memory(machine: &mut Machine, case: &Case) {
 /// Instructions, most of them good, and an end that may be missing.
 fn random_case(random: &mut Random) -> Case {
     let mut memory = Vec::new();
-    let chance = |random: &mut Random, of: u64| random.word() % of == 0;
+    let chance = |random: &mut Random, of: u64| random.word().is_multiple_of(of);
     let large = chance(random, 4);
     let most = if large { 30_000 } else { 900 };
     for _ in 0..random.word() % 8 {

@@ -1,13 +1,13 @@
 //! Stroke sequencer: takes the instructions of a character one after another, each when the one before has stopped.
 //!
 //! ```text
-//!                        .-----------------------------------------------.
-//!                        v          curve            scaled              | stop
-//!   start --> accepted --> fetch -----> loaded --> scaling --> start_512 --> drawing
-//!                        | ^ \ position          scaled
-//!                   exit | |   -----> scaling --> add --> place --.
-//!                        v '--------------------------------------'
-//!                       done
+//!                              .-------------------------------------------.
+//!                              v  curve             scaled                 | stop
+//!   start --> accepted --> fetch -----> loaded --> scaling -> start_512 -> drawing
+//!                          |  ^ \
+//!                     exit |  |  '------> scaling --> add --> place
+//!                          v  |  position    scaled            |
+//!                        done '--------------------------------'
 //! ```
 
 use crate::base::ValueId;

@@ -14,19 +14,21 @@ pub(in crate::netlist) struct Images<'e> {
     library: &'e dyn Library,
     sources: &'e mut Sources,
     /// By file name; `None` for one that does not exist.
-    known: HashMap<String, Option<(SourceId, Arc<str>)>>,
+    files: HashMap<String, Option<(SourceId, Arc<str>)>>,
+    /// By the block that wants it and the value that names it; `None` for one whose mistakes have been told.
+    read: HashMap<(&'static str, i64), Option<Arc<MemoryImage>>>,
 }
 
 impl<'e> Images<'e> {
     /// Files of `library`, their texts to be added to `sources`.
     pub(in crate::netlist) fn new(library: &'e dyn Library, sources: &'e mut Sources) -> Self {
-        Self { library, sources, known: HashMap::new() }
+        Self { library, sources, files: HashMap::new(), read: HashMap::new() }
     }
 
     fn text(&mut self, file: &str) -> Option<(SourceId, Arc<str>)> {
-        let Self { library, sources, known } = self;
+        let Self { library, sources, files, .. } = self;
         let add = || library.find(file).map(|(name, text)| (sources.add(name, Arc::clone(&text)), text));
-        known.entry(file.to_owned()).or_insert_with(add).clone()
+        files.entry(file.to_owned()).or_insert_with(add).clone()
     }
 }
 
@@ -44,20 +46,23 @@ impl<'t> Inside<'_, '_, 't> {
         if value == 0 {
             return true;
         }
-        let errors = match self.read_image(format, value) {
-            Ok(image) => {
-                parameters.set_image(image);
-                return true;
-            }
-            Err(errors) => errors,
-        };
+        let key = (block.description().name, value);
+        if !self.elaborator.images.read.contains_key(&key) {
+            let image = self.read_image(format, value).map_err(|errors| self.tell(errors, format, instance));
+            self.elaborator.images.read.insert(key, image.ok().map(Arc::new));
+        }
+        let image = self.elaborator.images.read[&key].as_ref();
+        image.map(|image| parameters.set_image(Arc::clone(image))).is_some()
+    }
+
+    /// Tells what is wrong with an image, at its own places or where it is wanted.
+    fn tell(&mut self, errors: Vec<Diagnostic>, format: &ImageFormat, instance: &'t Instance) {
         let given = instance.overrides.iter().find(|given| *given.name.text == *format.parameter);
-        let place = given.map_or(instance.name.span, |given| given.span);
+        let wanted = given.map_or(instance.name.span, |given| given.span);
         for error in errors {
             let has_place = !error.labels.is_empty();
-            self.report(if has_place { error } else { error.at(place, "wanted here") });
+            self.report(if has_place { error } else { error.at(wanted, "wanted here") });
         }
-        false
     }
 
     fn read_image(&mut self, format: &ImageFormat, value: i64) -> Result<MemoryImage, Vec<Diagnostic>> {
