@@ -1,4 +1,4 @@
-//! Every numeral of FIG. 3 to 8 of US 3,809,868 is the ending of an instance's or a net's name in its circuit.
+//! Every numeral of FIG. 3 to 8, 16 and 17 of US 3,809,868 is the ending of an instance's or a net's name in its circuit.
 
 use stepwright::simulation::Circuit;
 
@@ -32,4 +32,10 @@ fn every_numeral_of_figures_3_and_5_to_8_is_a_name() {
 #[test]
 fn every_numeral_of_figures_4_and_4a_inside_the_generator_is_a_name() {
     assert_named("fig04_function_generator", (80..=88).step_by(2).chain(89..=103).chain([105, 107, 109, 111]));
+}
+
+#[test]
+fn every_numeral_of_figures_16_and_17_is_a_name() {
+    assert_named("fig16_clipping", [100, 109, 390, 392, 394, 396, 492, 494, 496, 498]);
+    assert_named("fig17_characters", [449, 500, 502, 503, 504, 505, 506, 507, 508, 509, 510, 512, 514]);
 }
