@@ -109,7 +109,7 @@ pub struct Target {
     /// Hold an input at a value: decimal, 0x.., 0b.., or a real number for a fixed-point port
     #[arg(short, long = "set", value_name = "NAME=VALUE", value_parser = assignment::<Number>, allow_hyphen_values = true)]
     pub set: Vec<(String, Number)>,
-    /// Set a parameter of the circuit: a whole number, or a string as in IMAGE=\"letters\"
+    /// Set a parameter of the circuit: a whole number, or a string as in IMAGE="letters"
     #[arg(short, long = "param", value_name = "NAME=VALUE", value_parser = assignment::<i64>, allow_hyphen_values = true)]
     pub param: Vec<(String, i64)>,
     /// Run so many ticks
