@@ -12,10 +12,10 @@ fn main() -> io::Result<()> {
     fs::write(out.join("registry.rs"), registry(&root.join("src/blocks"))?)
 }
 
-/// A slice of (path below `root`, text) for every circuit and scenario.
+/// A slice of (path below `root`, text) for every circuit, scenario and memory image.
 fn shipped(root: &Path) -> io::Result<String> {
     let mut text = String::from("&[\n");
-    for file in files(root, &["v", "toml"])? {
+    for file in files(root, &["v", "toml", "glyphs"])? {
         let name = file.strip_prefix(root).expect("below the root").to_string_lossy().replace('\\', "/");
         writeln!(text, "({name:?}, include_str!({:?})),", file.display().to_string()).expect("a string takes all");
     }

@@ -47,6 +47,15 @@ pub const fn clog2(count: u64) -> u32 {
     if count <= 1 { 0 } else { u64::BITS - (count - 1).leading_zeros() }
 }
 
+/// The number that a string is in Verilog (IEEE 1364-2005, 3.6): 8 bits a letter, the last one lowest. `None` for no
+/// letter, more than eight, or one that is not printable ASCII or that Verilog would escape.
+#[must_use]
+pub fn of_letters(letters: &str) -> Option<u64> {
+    let plain = |letter: u8| letter.is_ascii_graphic() && !b"\\\"".contains(&letter);
+    let good = (1..=8).contains(&letters.len()) && letters.bytes().all(plain);
+    good.then(|| letters.bytes().fold(0, |number, letter| number << 8 | u64::from(letter)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -78,6 +87,16 @@ mod tests {
         // IEEE 1364-2005, 17.11.1: the ceiling of the logarithm; an argument of 0 gives 0.
         for (count, bits) in [(0, 0), (1, 0), (2, 1), (3, 2), (4, 2), (5, 3), (256, 8), (257, 9)] {
             assert_eq!(clog2(count), bits, "$clog2({count})");
+        }
+    }
+
+    #[test]
+    fn a_string_is_the_number_of_its_letters() {
+        assert_eq!(of_letters("A"), Some(0x41));
+        assert_eq!(of_letters("letters"), Some(0x6C_6574_7465_7273));
+        assert_eq!(of_letters("~~~~~~~~"), Some(0x7E7E_7E7E_7E7E_7E7E));
+        for no_number in ["", "ninechars", "a b", "\u{436}", "a\n", "a\\n", "a\"b"] {
+            assert_eq!(of_letters(no_number), None, "{no_number:?}");
         }
     }
 }

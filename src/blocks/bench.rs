@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Body, Builder, Description, Direction, Parameters, find};
-use crate::base::{Op, Port, Signal};
+use crate::base::{Op, Port, Signal, SourceId};
 use crate::compile::{Owner, OwnerId, Program, compile_graph};
 use crate::engine::{Engine, Interpreter};
 
@@ -17,6 +17,15 @@ pub(crate) struct Bench {
 impl Bench {
     /// Builds the block with its defaults but for `parameters`.
     pub(crate) fn new(name: &str, parameters: &[(&str, i64)]) -> Self {
+        Self::of(name, parameters, None)
+    }
+
+    /// The same with the memory image that `text` says.
+    pub(crate) fn with_image(name: &str, parameters: &[(&str, i64)], text: &str) -> Self {
+        Self::of(name, parameters, Some(text))
+    }
+
+    fn of(name: &str, parameters: &[(&str, i64)], text: Option<&str>) -> Self {
         let block = find(name).unwrap_or_else(|| panic!("no block {name}"));
         let mut values = Parameters::defaults(block.description());
         for (name, value) in parameters {
@@ -24,6 +33,10 @@ impl Bench {
         }
         for p in block.description().parameters {
             assert!((p.min..=p.max).contains(&values.get(p.name)), "{} is out of range", p.name);
+        }
+        if let Some(text) = text {
+            let format = block.image().expect("a block with an image");
+            values.set_image(Arc::new((format.read)(SourceId::new(0), text).expect("a good image")));
         }
         block.check(&values).expect("accepted parameters");
         let body = Builder::build(block, &values).expect("a body");

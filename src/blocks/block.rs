@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Builder, Description, Parameters};
+use super::{Builder, Description, ImageFormat, Parameters};
 
 /// A part that circuits are made of.
 ///
@@ -11,6 +11,7 @@ use super::{Builder, Description, Parameters};
 pub struct Block {
     description: &'static Description,
     check: fn(&Parameters) -> Result<(), String>,
+    image: Option<&'static ImageFormat>,
     build: fn(&mut Builder),
 }
 
@@ -18,7 +19,7 @@ impl Block {
     /// A block that takes every set of parameters within their ranges.
     #[must_use]
     pub const fn new(description: &'static Description, build: fn(&mut Builder)) -> Self {
-        Self { description, check: |_| Ok(()), build }
+        Self { description, check: |_| Ok(()), image: None, build }
     }
 
     /// The same block, refusing some sets of parameters although each parameter is within its range. `check` says
@@ -26,6 +27,18 @@ impl Block {
     #[must_use]
     pub const fn with_check(self, check: fn(&Parameters) -> Result<(), String>) -> Self {
         Self { check, ..self }
+    }
+
+    /// The same block, its memory loaded from a file of `format` (see [`Builder::image`]).
+    #[must_use]
+    pub const fn with_image(self, format: &'static ImageFormat) -> Self {
+        Self { image: Some(format), ..self }
+    }
+
+    /// Where its memory comes from, for a block whose memory is loaded from a file.
+    #[must_use]
+    pub fn image(&self) -> Option<&'static ImageFormat> {
+        self.image
     }
 
     /// Name, ports, parameters, documentation.

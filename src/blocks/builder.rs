@@ -97,6 +97,12 @@ impl Builder {
         u32::try_from(self.param(name)).expect("a parameter used as a count is not negative")
     }
 
+    /// The memory image that the block's [`super::ImageFormat`] has read; `None` where its parameter names no file.
+    #[must_use]
+    pub fn image(&self) -> Option<MemoryImage> {
+        self.parameters.image().cloned()
+    }
+
     /// The value of an input port.
     ///
     /// # Panics

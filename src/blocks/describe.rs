@@ -1,7 +1,10 @@
 //! How a block describes itself: its ports with their widths, its parameters with their ranges.
 
 use std::fmt;
+use std::hash::{Hash, Hasher};
+use std::sync::Arc;
 
+use crate::base::MemoryImage;
 use crate::base::word::clog2;
 
 /// What the registry, the netlist checks, `stepwright show` and the Verilog printer know of a block.
@@ -165,20 +168,31 @@ impl fmt::Display for Width {
     }
 }
 
-/// The values of a block's parameters, in the order of its description.
-#[derive(Clone, PartialEq, Eq, Hash, Debug, Default)]
-pub struct Parameters(Vec<(&'static str, i64)>);
+/// The values of a block's parameters, in the order of its description, and the memory image that one of them names.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Parameters {
+    values: Vec<(&'static str, i64)>,
+    image: Option<Arc<MemoryImage>>,
+}
+
+/// By the values alone: an image is long, and one of the values names it.
+impl Hash for Parameters {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.values.hash(state);
+    }
+}
 
 impl Parameters {
     /// The defaults of a block.
     #[must_use]
     pub fn defaults(description: &Description) -> Self {
-        Self(description.parameters.iter().map(|p| (p.name, p.default)).collect())
+        let values = description.parameters.iter().map(|p| (p.name, p.default)).collect();
+        Self { values, image: None }
     }
 
     /// Sets a parameter; `false` when the block has none of that name.
     pub fn set(&mut self, name: &str, value: i64) -> bool {
-        let slot = self.0.iter_mut().find(|(known, _)| *known == name);
+        let slot = self.values.iter_mut().find(|(known, _)| *known == name);
         slot.map(|(_, old)| *old = value).is_some()
     }
 
@@ -188,11 +202,22 @@ impl Parameters {
     /// When the block has no parameter of that name: its file contradicts itself, which the registry tests find.
     #[must_use]
     pub fn get(&self, name: &str) -> i64 {
-        self.0.iter().find(|(known, _)| *known == name).unwrap_or_else(|| panic!("no parameter {name}")).1
+        self.values.iter().find(|(known, _)| *known == name).unwrap_or_else(|| panic!("no parameter {name}")).1
+    }
+
+    /// Adds the memory image that a parameter names.
+    pub fn set_image(&mut self, image: Arc<MemoryImage>) {
+        self.image = Some(image);
+    }
+
+    /// The memory image, if a parameter names one.
+    #[must_use]
+    pub fn image(&self) -> Option<&MemoryImage> {
+        self.image.as_deref()
     }
 
     /// Names and values, in order.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, i64)> + '_ {
-        self.0.iter().copied()
+        self.values.iter().copied()
     }
 }

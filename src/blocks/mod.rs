@@ -7,6 +7,7 @@ mod body;
 mod builder;
 mod describe;
 mod gate;
+mod image;
 mod sine;
 
 pub mod arithmetic;
@@ -21,6 +22,7 @@ pub use body::{Body, Cost, InnerSignal};
 pub use builder::{Builder, Held};
 pub use describe::{Description, Direction, Kind, Parameter, Parameters, PortDescription, Width};
 pub use gate::Gate;
+pub use image::ImageFormat;
 
 /// Every block there is, by kind and then by name: each `pub static NAME: Block` in a file of a kind's folder, found
 /// when the crate is built.

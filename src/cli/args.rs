@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 
 pub use super::sweep::SweepArguments;
+use crate::base::word::of_letters;
 use crate::base::{Diagnostic, Report};
 use crate::scenario::Number;
 use crate::simulation::{EngineKind, Session};
@@ -108,7 +109,7 @@ pub struct Target {
     /// Hold an input at a value: decimal, 0x.., 0b.., or a real number for a fixed-point port
     #[arg(short, long = "set", value_name = "NAME=VALUE", value_parser = assignment::<Number>, allow_hyphen_values = true)]
     pub set: Vec<(String, Number)>,
-    /// Set a parameter of the circuit
+    /// Set a parameter of the circuit: a whole number, or a string as in IMAGE="letters"
     #[arg(short, long = "param", value_name = "NAME=VALUE", value_parser = assignment::<i64>, allow_hyphen_values = true)]
     pub param: Vec<(String, i64)>,
     /// Run so many ticks
@@ -226,6 +227,10 @@ impl FromText for Number {
 
 impl FromText for i64 {
     fn from_text(text: &str) -> Result<Self, String> {
+        if let Some(letters) = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) {
+            let number = of_letters(letters).and_then(|number| i64::try_from(number).ok());
+            return number.ok_or_else(|| format!("`{letters}` is not a string of 1 to 8 letters"));
+        }
         match Number::parse(text)? {
             Number::Word(value) => i64::try_from(value).map_err(|_| format!("{value} does not fit 64 bits")),
             Number::Real(_) => Err(format!("`{text}` is not a whole number")),

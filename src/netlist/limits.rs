@@ -4,6 +4,8 @@ use crate::base::Diagnostic;
 
 /// Bytes of one circuit file.
 pub(super) const TEXT_BYTES: usize = 64 << 20;
+/// Bytes of the text of one memory image.
+pub(super) const IMAGE_BYTES: usize = 4 << 20;
 /// Letters of a name.
 pub(super) const NAME_BYTES: usize = 1024;
 /// Errors listed in one run.

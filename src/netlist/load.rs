@@ -65,7 +65,8 @@ impl Loader {
         if self.is_recursive(&modules, &files[..main]) {
             return None;
         }
-        let templates = elaborate::elaborate(&modules, top, &files[..main], parameters, &mut self.errors);
+        let images = elaborate::Images::new(library, &mut self.sources);
+        let templates = elaborate::elaborate(&modules, top, &files[..main], parameters, images, &mut self.errors);
         if !self.errors.is_empty() {
             return None;
         }
@@ -110,7 +111,7 @@ impl Loader {
                 if blocks::find(&name).is_some() || !known.insert(name.clone()) {
                     continue;
                 }
-                match library.find(&name) {
+                match library.find(&format!("{name}.v")) {
                     Some(Ok((file, text))) => {
                         let found = self.parse(&file, &text);
                         known.extend(found.iter().map(|module| module.name.text.clone()));

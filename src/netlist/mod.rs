@@ -30,11 +30,12 @@ use std::sync::Arc;
 
 use crate::base::Report;
 
-/// Where modules come from that a circuit file uses but does not hold.
+/// Where the files come from that a circuit file uses: modules that it does not hold, and memory images.
 pub trait Library {
-    /// The name that messages show for the file that holds `module`, and its text; `None` when there is no such file.
+    /// The name that messages show for `file`, for example `summer_432.v`, and its text; `None` when there is no such
+    /// file.
     ///
     /// # Errors
     /// The file is there but cannot be read.
-    fn find(&self, module: &str) -> Option<Result<(String, Arc<str>), Report>>;
+    fn find(&self, file: &str) -> Option<Result<(String, Arc<str>), Report>>;
 }

@@ -5,6 +5,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::model::{Axis, Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
 use super::number::Number;
+use crate::base::word::of_letters;
 use crate::base::{Diagnostic, Report, SourceId, Sources, Span};
 
 /// Reads the text of a scenario; `name` is what messages call it.
@@ -115,6 +116,16 @@ impl Reader {
         whole
     }
 
+    /// A whole number, or a string, which Verilog takes for one.
+    fn parameter(&mut self, value: &Value<'_>) -> Option<i64> {
+        let letters = match value.get_ref() {
+            DeValue::String(letters) => of_letters(letters),
+            _ => None,
+        };
+        let number = letters.and_then(|number| i64::try_from(number).ok());
+        number.or_else(|| self.whole(value, "a whole number, or a string of 1 to 8 letters", "64 bits"))
+    }
+
     fn ticks(&mut self, value: &Value<'_>) -> Option<u64> {
         self.whole(value, "a number of ticks", "0 to 18446744073709551615")
     }
@@ -173,7 +184,7 @@ impl Reader {
         self.keys(root, &known, |reader, key, value| match key {
             "title" => scenario.title = reader.text(value).unwrap_or_default(),
             "circuit" => scenario.circuit = reader.text(value).unwrap_or_default(),
-            "parameters" => scenario.parameters = reader.entries(value, |r, v| r.whole(v, "a whole number", "64 bits")),
+            "parameters" => scenario.parameters = reader.entries(value, Self::parameter),
             "inputs" => scenario.inputs = reader.entries(value, Reader::number),
             "at" => scenario.changes = reader.changes(value),
             "stop" => scenario.stop = reader.stop(value),

@@ -1,4 +1,4 @@
-//! Where the modules that a circuit uses are found.
+//! Where the files that a circuit uses are found: modules and memory images.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,7 +8,7 @@ use crate::base::Report;
 use crate::files::{self, Text};
 use crate::netlist::Library;
 
-/// Modules for a circuit: in the folder that was named, beside it, anywhere in its `circuits` folder, or shipped.
+/// Files for a circuit: in the folder that was named, beside it, anywhere in its `circuits` folder, or shipped.
 #[derive(Debug)]
 pub(super) struct Modules {
     folders: Vec<PathBuf>,
@@ -29,15 +29,16 @@ impl Modules {
     fn on_disk(&self, file: &str) -> Option<PathBuf> {
         let near = self.folders.iter().map(|folder| folder.join(file)).find(|path| path.is_file());
         let is_it = |path: &PathBuf| path.file_name().is_some_and(|name| name == file);
-        near.or_else(|| files::below(self.root.as_deref()?, "v").into_iter().find(is_it))
+        let (_, ending) = file.rsplit_once('.')?;
+        near.or_else(|| files::below(self.root.as_deref()?, ending).into_iter().find(is_it))
     }
 }
 
 impl Library for Modules {
-    fn find(&self, module: &str) -> Option<Result<(String, Arc<str>), Report>> {
-        match self.on_disk(&format!("{module}.v")) {
+    fn find(&self, file: &str) -> Option<Result<(String, Arc<str>), Report>> {
+        match self.on_disk(file) {
             Some(path) => Some(files::read(&path).map(|text| (text.name, text.text))),
-            None => Shelf { near: &self.near }.find(module),
+            None => Shelf { near: &self.near }.find(file),
         }
     }
 }

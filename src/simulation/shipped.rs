@@ -27,7 +27,7 @@ pub fn names(ending: &str) -> impl Iterator<Item = &'static str> {
     FILES.iter().filter_map(move |(path, _)| path.strip_suffix(ending)?.strip_suffix('.'))
 }
 
-/// Modules of the shipped circuits, those beside `near` (a path below `circuits/`) first.
+/// Files of the shipped circuits, those beside `near` (a path below `circuits/`) first.
 #[derive(Clone, Copy, Debug)]
 pub struct Shelf<'a> {
     /// The circuit that asks.
@@ -35,10 +35,10 @@ pub struct Shelf<'a> {
 }
 
 impl Library for Shelf<'_> {
-    fn find(&self, module: &str) -> Option<Result<(String, Arc<str>), Report>> {
+    fn find(&self, file: &str) -> Option<Result<(String, Arc<str>), Report>> {
         let folder = self.near.rsplit_once('/').map_or("", |(folder, _)| folder);
-        let beside = format!("{folder}/{module}.v");
-        let anywhere = || FILES.iter().find(|(path, _)| path.rsplit('/').next() == Some(&format!("{module}.v")));
+        let beside = format!("{folder}/{file}");
+        let anywhere = || FILES.iter().find(|(path, _)| path.rsplit('/').next() == Some(file));
         let (path, text) = FILES.iter().find(|(path, _)| *path == beside).or_else(anywhere)?;
         Some(Ok((format!("circuits/{path}"), Arc::from(*text))))
     }

@@ -189,11 +189,11 @@ fn registers_break_loops() {
 struct Shelf;
 
 impl Library for Shelf {
-    fn find(&self, module: &str) -> Option<Result<(String, Arc<str>), Report>> {
+    fn find(&self, file: &str) -> Option<Result<(String, Arc<str>), Report>> {
         let text = "module inverter #(parameter N = 1) (input wire x, output wire y); not not_1 (y, x); endmodule";
-        match module {
-            "inverter" => Some(Ok(("shelf/inverter.v".to_owned(), Arc::from(text)))),
-            "locked" => Some(Err(Diagnostic::new("C002", "cannot read shelf/locked.v: permission denied").into())),
+        match file {
+            "inverter.v" => Some(Ok(("shelf/inverter.v".to_owned(), Arc::from(text)))),
+            "locked.v" => Some(Err(Diagnostic::new("C002", "cannot read shelf/locked.v: permission denied").into())),
             _ => None,
         }
     }

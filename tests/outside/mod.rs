@@ -4,6 +4,7 @@ mod blocks;
 mod circuits;
 mod duts;
 mod goldens;
+mod images;
 mod language;
 mod linters;
 mod mixture;

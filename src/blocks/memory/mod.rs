@@ -3,7 +3,11 @@
 pub mod angle_converter;
 pub mod binary_counter;
 pub mod checksum;
+mod glyphs;
+pub mod instruction_counter;
+pub mod instruction_memory;
 pub mod lfsr;
+pub mod pointer_table;
 pub mod presettable_memory;
 pub mod register;
 pub mod reversible_counter;

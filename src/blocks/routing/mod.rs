@@ -3,6 +3,7 @@
 pub mod bipolar_gate;
 pub mod bound_switch;
 pub mod data_switch;
+pub mod instruction_multiplexer;
 pub mod multiplexer;
 pub mod or_network;
 pub mod polarity_gate;

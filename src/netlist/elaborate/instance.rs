@@ -96,7 +96,7 @@ impl<'t> Inside<'_, '_, 't> {
                 None => good = false,
             }
         }
-        if !good {
+        if !good || !self.load_image(block, &mut parameters, instance) {
             return None;
         }
         if let Err(why) = block.check(&parameters) {

@@ -6,6 +6,7 @@ mod drives;
 mod evaluate;
 mod gate;
 mod header;
+mod images;
 mod inside;
 mod instance;
 mod names;
@@ -18,6 +19,7 @@ use std::collections::{HashMap, HashSet, VecDeque};
 use std::rc::Rc;
 use std::sync::Arc;
 
+pub(super) use images::Images;
 pub(super) use template::{LocalCell, LocalInstance, LocalNet, LocalSource, Piece, Template, TemplateId};
 
 use self::constant::Const;
@@ -33,12 +35,13 @@ use crate::blocks::{Block, Body, Builder, Gate, Parameters};
 pub(super) type Modules<'t> = HashMap<&'t str, &'t Module>;
 
 /// Elaborates `top` and all it instantiates; the first template is the top's. Of `others`, those that `top` has no
-/// use for are elaborated too, so that their errors are told.
+/// use for are elaborated too, so that their errors are told. Memory images come through `images`.
 pub(super) fn elaborate<'t>(
     modules: &Modules<'t>,
     top: &'t Module,
     others: &'t [Module],
     parameters: &'t [(String, i64)],
+    images: Images<'_>,
     errors: &mut Errors,
 ) -> Vec<Template<'t>> {
     let mut elaborator = Elaborator {
@@ -50,6 +53,7 @@ pub(super) fn elaborate<'t>(
         used: HashSet::new(),
         bodies: HashMap::new(),
         gates: HashMap::new(),
+        images,
         errors,
         parts: 0,
         ops: 0,
@@ -92,6 +96,7 @@ struct Elaborator<'e, 't> {
     used: HashSet<&'t str>,
     bodies: HashMap<(&'static str, Parameters), Arc<Body>>,
     gates: HashMap<(Gate, usize), Arc<Body>>,
+    images: Images<'e>,
     errors: &'e mut Errors,
     /// What has been written out, as [`limits::PARTS`] counts.
     parts: u64,

@@ -1,6 +1,7 @@
 //! Expressions, by binding strength; depth is limited so that no text can exhaust the stack.
 
 use super::lexer::Kind;
+use super::number::{self, Refused};
 use super::parser::{Parsed, Parser, shorten};
 use super::tree::{Binary, Expr, ExprKind, Name, Unary};
 use crate::base::{Diagnostic, Span};
@@ -67,10 +68,7 @@ impl Parser<'_> {
             }
             Kind::Word => self.named_operand(),
             Kind::System => self.system_call(),
-            Kind::String => {
-                let span = self.token.span;
-                self.refuse(span, "a string is", "write a number")
-            }
+            Kind::String => self.string(),
             Kind::Symbol("(") => {
                 self.bump();
                 let inside = self.expression()?;
@@ -87,6 +85,17 @@ impl Parser<'_> {
                 None => self.expected("a net, a number or `{`"),
             },
             Kind::Directive | Kind::End => self.expected("a net, a number or `{`"),
+        }
+    }
+
+    fn string(&mut self) -> Parsed<Expr> {
+        let span = self.token.span;
+        match number::string(self.text()) {
+            Ok(literal) => {
+                self.bump();
+                self.make(span, ExprKind::Number(literal))
+            }
+            Err(Refused { message, help }) => self.error(Diagnostic::new("N005", message).at(span, "here").help(help)),
         }
     }
 

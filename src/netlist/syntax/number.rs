@@ -1,6 +1,6 @@
 //! Numbers: decimal, or with a base and perhaps a size (IEEE 1364-2005, 3.5.1), in two-state logic.
 
-use crate::base::word::{MAX_WIDTH, mask};
+use crate::base::word::{MAX_WIDTH, mask, of_letters};
 
 /// A number as written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -53,6 +53,18 @@ pub(super) fn based(size: Option<&str>, signed: bool, base: char, digits: &str) 
         );
     }
     Ok(Literal { value, width, signed })
+}
+
+/// Reads a string, quotes included.
+pub(super) fn string(token: &str) -> Result<Literal, Refused> {
+    let letters = token.strip_prefix('"').and_then(|token| token.strip_suffix('"')).unwrap_or_default();
+    match of_letters(letters) {
+        Some(value) => Ok(Literal { value, width: Some(8 * letters.len() as u32), signed: false }),
+        None => refused(
+            "this string is no number of 64 bits",
+            "a string is a number here, 8 bits a letter: 1 to 8 letters, digits or signs of ASCII",
+        ),
+    }
 }
 
 fn width_of(size: &str) -> Result<u32, Refused> {
