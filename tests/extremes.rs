@@ -33,6 +33,9 @@ fn ticks(batch: &Batch<'_>, held: &[u64], input: usize, edges: &[u64]) -> Vec<u6
     ticks
 }
 
+/// What stops a clock from outside for as long as it is high.
+const HOLDING: [&str; 2] = ["hold", "inhibit"];
+
 /// Moves the inputs that the scenario does not work itself, one after another, to the edge with which it runs longest.
 fn judge(name: &str) {
     let design = Session::open(name).and_then(|session| session.engine(EngineKind::Native).elaborate());
@@ -40,7 +43,8 @@ fn judge(name: &str) {
     let batch = design.batch();
     let mut held = design.stimulus().initial.clone();
     for (input, port) in batch.inputs().iter().enumerate() {
-        if design.stimulus().changes.iter().all(|change| change.input != input) {
+        let is_free = design.stimulus().changes.iter().all(|change| change.input != input);
+        if is_free && !HOLDING.contains(&port.name.as_str()) {
             let edges = edges(&design, port);
             let ticks = ticks(&batch, &held, input, &edges);
             let longest = ticks.into_iter().zip(edges).max();

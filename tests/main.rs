@@ -4,6 +4,8 @@
 mod cause;
 /// The command line as scripts see it.
 mod cli;
+/// Codes that no other test raises.
+mod codes;
 /// The data converters of US 3,809,868.
 mod converters;
 /// The table of diagnostics.
