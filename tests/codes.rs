@@ -49,6 +49,6 @@ fn what_is_wrong_in_a_scenario_has_its_code() {
         &["run", "a.toml"],
     );
     raises("S013", FRAME, &["run", "a.toml", "--ticks", "0"]);
-    raises("S014", &format!("{FRAME}[plot]\nx = \"nowhere\"\ny = \"busy\"\n"), &["run", "a.toml"]);
+    raises("S014", &format!("{FRAME}[plot]\nx = \"bussy\"\ny = \"busy\"\n"), &["run", "a.toml"]);
     raises("S015", FRAME, &["run", "a.toml", "--until", "clk"]);
 }

@@ -3,11 +3,12 @@
 use std::ops::Range;
 
 use super::how::{How, Signals};
+use super::input::Input;
 use super::merge::{Merged, merge};
 use super::pairs::{Pairs, Parts};
 use super::read::cut;
 use super::sample::Sampled;
-use super::source::{Input, Source};
+use super::source::Source;
 use super::track::Value;
 use super::{Changed, Waveform};
 use crate::base::Report;

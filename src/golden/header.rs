@@ -5,7 +5,7 @@ use std::io::Read;
 use super::codes::Codes;
 use super::declared::{Declared, Declaring, Kind, Signal};
 use super::tokens::{Broken, Tokens};
-use super::vcd::{Wrong, shown};
+use super::wrong::{Wrong, shown};
 use crate::base::{Diagnostic, Report};
 
 /// Reads what stands before the values.

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::declared::{Declared, Kind, Name, SignalId};
 use super::how::{How, Names};
-use super::tails;
+use super::tails::{self, Match};
 
 /// A signal, or bits of several, the least significant first.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -86,9 +86,6 @@ impl Pairs {
 fn bits(declared: &Declared, names: &[usize]) -> Parts {
     Parts::Bits(names.iter().map(|&name| declared.names[name].signal).collect())
 }
-
-/// Names of one side and those of the other that stand for them.
-pub(super) type Match = [Vec<usize>; 2];
 
 fn same(expected: &Declared, got: &Declared) -> Vec<Match> {
     let theirs: HashMap<&str, usize> = got.names.iter().map(path).zip(0..).collect();

@@ -2,7 +2,7 @@
 
 use std::io::BufRead;
 
-use super::{Waveform, source};
+use super::{Waveform, input};
 use crate::base::{Diagnostic, Report};
 
 /// Reads a VCD or FST file; `name` is what messages call it. Of texts and events only the names are kept.
@@ -14,7 +14,7 @@ use crate::base::{Diagnostic, Report};
 /// `W019` it takes too much memory: signals of 67,108,864 bits in all, names of 64 MiB, values of 256 MiB, an FST
 /// file of 64 MiB, `W020` a broken FST file. All about VCD name the line.
 pub fn read(name: &str, input: impl BufRead) -> Result<Waveform, Report> {
-    Waveform::gather(name, source::open(name, input)?.as_mut(), &(0..u64::MAX))
+    Waveform::gather(name, input::open(name, input)?.as_mut(), &(0..u64::MAX))
 }
 
 /// Reads a golden trace: as [`read`], but the file must be whole.

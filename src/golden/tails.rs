@@ -3,7 +3,9 @@
 use std::collections::{HashMap, HashSet};
 
 use super::declared::{Declared, Kind};
-use super::pairs::Match;
+
+/// Names of one side and those of the other that stand for them.
+pub(super) type Match = [Vec<usize>; 2];
 
 /// A last name that one file has more often than this tells nothing about which scopes stand for each other.
 const MOST_ALIKE: usize = 64;

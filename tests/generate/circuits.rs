@@ -157,7 +157,12 @@ fn parameters(block: &Block, choice: &Choice) -> Parameters {
     let description = block.description();
     let defaults = Parameters::defaults(description);
     let mut chosen = defaults.clone();
+    // A memory image is a file, which random circuits have none of.
+    let names_a_file = |name: &str| block.image().is_some_and(|format| format.parameter == name);
     for (parameter, &number) in description.parameters.iter().zip(choice.parameters.iter().cycle()) {
+        if names_a_file(parameter.name) {
+            continue;
+        }
         let span = match number % 4 {
             0 => continue,
             1 => 0,

@@ -5,7 +5,7 @@
 //! ```
 
 use super::glyphs::{INSTRUCTIONS, WORD};
-use crate::base::{MemoryImage, ValueId};
+use crate::base::ValueId;
 use crate::blocks::{Block, Builder, Description, Kind, Parameter, PortDescription, Width};
 
 /// The block.
@@ -43,10 +43,15 @@ static DESCRIPTION: Description = Description {
 };
 
 fn build(b: &mut Builder) {
-    let image = b.image().unwrap_or_else(|| MemoryImage::from_words(WORD, []));
-    let depth = image.depth() as u64;
     let mut count = b.constant(0, 3);
+    let image = b.image();
     for (offset, name) in (0..).zip(["control", "word_1", "word_2", "word_3", "word_4"]) {
+        let Some(image) = &image else {
+            let nothing = b.constant(0, WORD);
+            b.output(name, nothing);
+            continue;
+        };
+        let depth = image.depth() as u64;
         let address = after(b, offset);
         let word = b.rom(image.clone(), address);
         b.output(name, word);

@@ -5,7 +5,6 @@
 //! ```
 
 use super::glyphs::{POINTERS, WORD};
-use crate::base::MemoryImage;
 use crate::blocks::{Block, Builder, Description, Kind, PortDescription, Width};
 
 /// The block.
@@ -28,8 +27,10 @@ static DESCRIPTION: Description = Description {
 };
 
 fn build(b: &mut Builder) {
-    let image = b.image().unwrap_or_else(|| MemoryImage::from_words(WORD + 1, []));
-    let entry = b.rom(image, b.input("code"));
+    let entry = match b.image() {
+        Some(image) => b.rom(image, b.input("code")),
+        None => b.constant(0, WORD + 1),
+    };
     let (pointer, known) = (b.slice(entry, 0, WORD), b.sign(entry));
     b.output("pointer", pointer);
     b.output("known", known);
