@@ -35,6 +35,11 @@ impl Observers {
             let message = format!("--from {} is after --to {}: no tick is between them", window.from, window.to);
             return Err(Diagnostic::new("C008", message).into());
         }
+        let (last, _) = design.stimulus().last_tick();
+        if window.from > last {
+            let message = format!("--from {} is after the last tick, which is {last} at most", window.from);
+            return Err(Diagnostic::new("C008", message).into());
+        }
         let plot = scenario.plot.as_ref().filter(|_| arguments.plot || !arguments.json);
         if arguments.plot && plot.is_none() {
             let diagnostic = Diagnostic::new("C008", "there is nothing to plot: the scenario has no [plot]");
