@@ -73,3 +73,8 @@ pub mod netlist;
 pub mod scenario;
 pub mod simulation;
 pub mod trace;
+
+/// The program on the front page does what it says.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -3,6 +3,9 @@
 use std::fs;
 use std::process::Command;
 
+use stepwright::simulation::Circuit;
+use stepwright::trace::{Coordinate, Path};
+
 /// Runs the binary in a folder with a scenario `a.toml` of the text, and returns what it says on standard error.
 fn said(scenario: &str, arguments: &[&str], variables: &[(&str, &str)]) -> String {
     let folder = tempfile::tempdir().expect("a folder");
@@ -49,6 +52,13 @@ fn what_is_wrong_in_a_scenario_has_its_code() {
         &["run", "a.toml"],
     );
     raises("S013", FRAME, &["run", "a.toml", "--ticks", "0"]);
-    raises("S014", &format!("{FRAME}[plot]\nx = \"bussy\"\ny = \"busy\"\n"), &["run", "a.toml"]);
     raises("S015", FRAME, &["run", "a.toml", "--until", "clk"]);
+}
+
+#[test]
+fn a_program_that_draws_what_is_no_signal_gets_its_code() {
+    let mut path = Path::new(["busy", "nowhere"].map(|name| Coordinate::Signal(name.to_owned())), None);
+    let mut run = Circuit::shipped("su1522157/interpolator").expect("it is shipped").session().start().expect("a run");
+    let report = run.record(&mut path).expect_err("no such signal").to_string();
+    assert!(report.contains("error[S014]") && report.contains("`nowhere`"), "{report}");
 }

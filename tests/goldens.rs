@@ -1,9 +1,11 @@
 //! Every golden trace, on every engine. A golden trace that gets lost, or its scenario, must not go unseen: both are
 //! counted off against each other, here and by `check`.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
+use stepwright::files;
 use stepwright::simulation::{EngineKind, shipped};
 
 #[test]
@@ -30,9 +32,14 @@ fn every_circuit_has_a_default_scenario() {
 }
 
 #[test]
-fn every_scenario_has_a_golden_trace() {
-    for scenario in shipped::names("toml") {
-        let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("traces/{scenario}.vcd"));
-        assert!(golden.is_file(), "{}", golden.display());
-    }
+fn every_scenario_has_a_golden_trace_and_every_golden_trace_its_scenario() {
+    let traces = Path::new(env!("CARGO_MANIFEST_DIR")).join("traces");
+    let goldens: BTreeSet<_> = files::below(&traces, "vcd")
+        .into_iter()
+        .map(|path| path.strip_prefix(&traces).expect("below").with_extension("").display().to_string())
+        .collect();
+    let scenarios: BTreeSet<_> = shipped::names("toml").map(str::to_owned).collect();
+    let lost: Vec<_> = scenarios.difference(&goldens).collect();
+    let extra: Vec<_> = goldens.difference(&scenarios).collect();
+    assert!(lost.is_empty() && extra.is_empty(), "without a golden trace: {lost:?}; without a scenario: {extra:?}");
 }

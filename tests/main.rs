@@ -25,6 +25,8 @@ mod netlist;
 /// Numerals of figures and names in circuits.
 mod numerals;
 mod outside;
+/// Pages that say what the code does.
+mod pages;
 mod simulation;
 /// The linear interpolator of SU 1522157 and its multiplexer.
 mod su1522157;

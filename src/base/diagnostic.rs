@@ -84,15 +84,26 @@ impl Diagnostic {
 /// Names of more bytes are no slip of the pen, and comparing two takes time as the product of their lengths.
 const LONGEST_NAME: usize = 200;
 
-/// The name most like `wrong`, when one is near enough to be a slip; none for a name of more than 200 bytes.
+/// The name most like `wrong`, when one is near enough to be a slip; none for a name of more than 200 bytes. A name
+/// typed without its folder or scope is compared with names without theirs.
 pub fn nearest<'a>(wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let sane = |name: &str| name.len() <= LONGEST_NAME;
     let names = names.into_iter().filter(|name| sane(wrong) && sane(name));
-    let scored = names.map(|name| (strsim::jaro_winkler(wrong, name), name));
+    let last = |name: &'a str| {
+        let name = if wrong.contains('/') { name } else { name.rsplit('/').next().unwrap_or(name) };
+        if wrong.contains('.') { name } else { name.rsplit('.').next().unwrap_or(name) }
+    };
+    let scored = names.map(|name| {
+        let whole = strsim::jaro_winkler(wrong, name);
+        let part = strsim::jaro_winkler(wrong, last(name));
+        // A part of a name is short, so that it is like much else.
+        let score = if part > 0.85 { whole.max(part) } else { whole };
+        (score, whole, name)
+    });
     scored
-        .filter(|(score, _)| *score > 0.75)
-        .max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| b.1.cmp(a.1)))
-        .map(|(_, name)| name)
+        .filter(|(score, ..)| *score > 0.75)
+        .max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then_with(|| b.2.cmp(a.2)))
+        .map(|(.., name)| name)
 }
 
 /// Bytes of a line beyond which a message does not show it.
@@ -232,3 +243,18 @@ impl fmt::Display for Report {
 }
 
 impl std::error::Error for Report {}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn a_name_without_its_folder_is_compared_without_folders() {
+        let names = ["integrator", "su1522157/interpolator", "bench/self_feeding_interpolator"];
+        assert_eq!(nearest("interpolator", names), Some("su1522157/interpolator"));
+        assert_eq!(nearest("interpolatr", names), Some("su1522157/interpolator"));
+        assert_eq!(nearest("integratr", names), Some("integrator"));
+        assert_eq!(nearest("busi", ["a.busy", "busy"]), Some("busy"), "the name itself before its namesake");
+        assert_eq!(nearest("zork", ["multiplexer_21.z"]), None, "one letter is no likeness");
+    }
+}

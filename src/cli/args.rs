@@ -1,10 +1,12 @@
 //! What can be typed: the command line as `clap` types.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Args, Parser, Subcommand};
 
+use super::completions;
 pub use super::sweep::SweepArguments;
 use crate::base::word::of_letters;
 use crate::base::{Diagnostic, Report};
@@ -34,26 +36,46 @@ Colours follow the terminal and the variable NO_COLOR.";
 /// A command.
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// List the shipped circuits or the blocks
+    /// List circuits with their scenarios, or the blocks
+    #[command(after_help = "Examples:\n  stepwright list\n  stepwright list blocks\n  stepwright list su1522157\n  \
+        stepwright list ./mine    what is in a folder of yours")]
     List {
-        /// What to list
-        #[arg(value_enum, default_value_t = Listed::Circuits)]
-        what: Listed,
+        /// `circuits`: the shipped ones and those below ./circuits; `blocks`; or a folder, also one below ./circuits
+        #[arg(value_name = "circuits|blocks|FOLDER", default_value = "circuits", add = completions::folders())]
+        what: String,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
     },
-    /// Show ports, parameters, figure and documentation of a circuit or block
-    #[command(after_help = "Examples:\n  stepwright show su1522157/interpolator\n  stepwright show summer")]
+    /// Show what a circuit, scenario, block or instance is: ports, parameters, figure, parts, notes
+    #[command(after_help = "Examples:\n  stepwright show su1522157/interpolator\n  \
+        stepwright show su1522157/interpolator.accumulator_1    an instance, with its connections\n  \
+        stepwright show su1522157/table1    a scenario's notes and keys\n  \
+        stepwright show summer    a block\n  \
+        stepwright show --source su1522157/table1 > mine.toml    a copy to change")]
     Show {
-        /// A circuit (name or path) or a block
+        /// A circuit or scenario (name or path), a block, or an instance in a circuit
+        #[arg(value_name = "NAME[.INSTANCE]", add = completions::shown())]
         name: String,
+        /// Print the text itself: a circuit's or scenario's file (of both names: NAME.toml for the scenario), a block as Verilog
+        #[arg(long, conflicts_with = "json")]
+        source: bool,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
     },
     /// Run a circuit or a scenario
     Run(RunArguments),
     /// Run scenarios and compare them with their golden traces and expectations
-    #[command(after_help = "Examples:\n  stepwright check\n  stepwright check circuits/su1522157/table1.toml\n  \
-        stepwright check --bless    rewrite the golden traces and tell what changed\n\n\
-        The golden trace of circuits/A/B.toml is traces/A/B.vcd. The variable STEPWRIGHT_BLESS=1 does what --bless does.")]
+    #[command(after_help = "Examples:\n  stepwright check\n  stepwright check su1522157/table1\n  \
+        stepwright check ./mine    every scenario in a folder of yours\n  \
+        stepwright check --bless brm3.toml    write or rewrite the golden trace and tell what changed\n\n\
+        The golden trace of circuits/A/B.toml is traces/A/B.vcd; that of a scenario in no folder `circuits` is\n\
+        B.golden.vcd beside it; the key `golden` of a scenario names another place. The variable STEPWRIGHT_BLESS=1\n\
+        does what --bless does.")]
     Check {
-        /// Scenario files, or names below ./circuits; all of ./circuits when none is given
+        /// Scenarios and folders, by their paths or below ./circuits; all of ./circuits when none is given
+        #[arg(value_name = "SCENARIO|FOLDER", add = completions::scenarios())]
         scenarios: Vec<String>,
         /// Rewrite the golden traces and print what changed (refused when the variable CI is set)
         #[arg(long)]
@@ -61,6 +83,9 @@ pub enum Command {
         /// Engine to run on
         #[arg(long, value_name = "NAME", default_value = "auto", value_parser = engine())]
         engine: EngineKind,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
     },
     /// Compare two waveform files and show where they first differ
     #[command(after_help = "Example:\n  stepwright diff traces/su1522157/table1.vcd out.vcd")]
@@ -69,6 +94,9 @@ pub enum Command {
         a: PathBuf,
         /// The other one
         b: PathBuf,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
     },
     /// Run many stimuli of a circuit, one row of results each
     Sweep(SweepArguments),
@@ -84,39 +112,35 @@ pub enum Command {
         verilog: PathBuf,
     },
     /// Print a completion script for a shell
-    #[command(after_help = "Example:\n  stepwright completions bash > /etc/bash_completion.d/stepwright")]
+    #[command(
+        after_help = "Example:\n  stepwright completions bash > ~/.local/share/bash-completion/completions/stepwright\n\n\
+        It completes circuits, scenarios, blocks, instances, inputs, parameters and nets by asking stepwright."
+    )]
     Completions {
         /// The shell
         shell: clap_complete::Shell,
     },
 }
 
-/// What `list` lists.
-#[derive(ValueEnum, Clone, Copy, Debug)]
-pub enum Listed {
-    /// The shipped circuits and their scenarios
-    Circuits,
-    /// The blocks that circuits are made of
-    Blocks,
-}
-
 /// What to run and with which values: shared by the commands that run something.
 #[derive(Args, Debug)]
 pub struct Target {
     /// A circuit or scenario: a shipped name such as su1522157/interpolator, or a path to a .v or .toml file
-    #[arg(value_name = "CIRCUIT|SCENARIO")]
+    #[arg(value_name = "CIRCUIT|SCENARIO", add = completions::targets())]
     pub target: String,
     /// Hold an input at a value: decimal, 0x.., 0b.., or a real number for a fixed-point port
-    #[arg(short, long = "set", value_name = "NAME=VALUE", value_parser = assignment::<Number>, allow_hyphen_values = true)]
+    #[arg(short, long = "set", value_name = "NAME=VALUE", value_parser = assignment::<Number>, allow_hyphen_values = true,
+        add = completions::inputs())]
     pub set: Vec<(String, Number)>,
     /// Set a parameter of the circuit: a whole number, or a string as in IMAGE="letters"
-    #[arg(short, long = "param", value_name = "NAME=VALUE", value_parser = assignment::<i64>, allow_hyphen_values = true)]
+    #[arg(short, long = "param", value_name = "NAME=VALUE", value_parser = assignment::<i64>, allow_hyphen_values = true,
+        add = completions::parameters())]
     pub param: Vec<(String, i64)>,
     /// Run so many ticks
     #[arg(long, value_name = "N", conflicts_with = "until")]
     pub ticks: Option<u64>,
     /// Run until a net is high, or with ! low
-    #[arg(long, value_name = "NET|!NET")]
+    #[arg(long, value_name = "NET|!NET", add = completions::nets())]
     pub until: Option<String>,
     /// Give up after so many ticks (exit status 1)
     #[arg(long, value_name = "N")]
@@ -130,7 +154,7 @@ impl Target {
     /// The session that was typed.
     ///
     /// # Errors
-    /// `C001` nothing of that name, `C007` a limit that contradicts the ticks, and what is wrong in the scenario.
+    /// `C001` nothing of that name, `C007` options that contradict each other, and what is wrong in the scenario.
     pub fn session(&self) -> Result<Session, Report> {
         if let (Some(ticks), Some(limit)) = (self.ticks, self.limit)
             && limit < ticks
@@ -138,12 +162,25 @@ impl Target {
             let diagnostic = Diagnostic::new("C007", format!("--limit {limit} is less than --ticks {ticks}"));
             return Err(diagnostic.help("leave one of them out").into());
         }
+        given_once("--set", self.set.iter().map(|(name, _)| name))?;
+        given_once("--param", self.param.iter().map(|(name, _)| name))?;
         let mut session = Session::open(&self.target)?.engine(self.engine);
         session = self.set.iter().fold(session, |session, (name, value)| session.input(name, *value));
         session = self.param.iter().fold(session, |session, (name, value)| session.parameter(name, *value));
         session = self.ticks.iter().fold(session, |session, &ticks| session.ticks(ticks));
         session = self.until.iter().fold(session, |session, net| session.until(net));
         Ok(self.limit.iter().fold(session, |session, &limit| session.limit(limit)))
+    }
+}
+
+/// One of two values would do nothing.
+fn given_once<'n>(option: &str, names: impl Iterator<Item = &'n String>) -> Result<(), Diagnostic> {
+    let mut known = HashSet::new();
+    match names.into_iter().find(|name| !known.insert(*name)) {
+        Some(name) => {
+            Err(Diagnostic::new("C007", format!("{option} gives `{name}` twice")).help("leave one of them out"))
+        }
+        None => Ok(()),
     }
 }
 
@@ -174,7 +211,7 @@ pub struct RunArguments {
     #[arg(long, value_name = "FILE", requires = "waveform")]
     pub gtkw: Option<PathBuf>,
     /// Trace only the signals that match (dotted names; may be given again)
-    #[arg(long, value_name = "GLOB", requires = "waveform")]
+    #[arg(long, value_name = "GLOB", requires = "waveform", add = completions::nets())]
     pub trace: Vec<String>,
     /// Trace from this tick on
     #[arg(long, value_name = "TICK", requires = "waveform")]
@@ -189,10 +226,10 @@ pub struct RunArguments {
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// The table's columns: names of signals
-    #[arg(long, value_name = "NAME,..", value_delimiter = ',', requires = "rows")]
+    #[arg(long, value_name = "NAME,..", value_delimiter = ',', requires = "rows", add = completions::nets())]
     pub columns: Vec<String>,
     /// The table's rows: ticks in which one of these nets is high
-    #[arg(long, value_name = "NET,..", value_delimiter = ',', requires = "rows")]
+    #[arg(long, value_name = "NET,..", value_delimiter = ',', requires = "rows", add = completions::nets())]
     pub when: Vec<String>,
     /// Draw the path, as is done anyway without --json
     #[arg(long)]

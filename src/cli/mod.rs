@@ -2,6 +2,7 @@
 
 mod args;
 mod check;
+mod completions;
 mod diff;
 mod drivers;
 mod export;
@@ -17,7 +18,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser};
+use clap::Parser;
 
 use crate::base::Report;
 use crate::files;
@@ -50,11 +51,12 @@ impl From<Ending> for ExitCode {
 /// Parses the command line, does what it says, and tells how it ended. Wrong usage or input ends with 2.
 #[must_use]
 pub fn main() -> ExitCode {
+    completions::answer();
     let arguments = Arguments::parse();
     match command(arguments.command) {
         Ok(ending) => ending.into(),
         Err(report) => {
-            eprint!("{}", report.render(colored(&io::stderr())));
+            tell(&report);
             ExitCode::from(2)
         }
     }
@@ -62,18 +64,24 @@ pub fn main() -> ExitCode {
 
 fn command(command: Command) -> Result<Ending, Report> {
     match command {
-        Command::List { what } => list::list(what),
-        Command::Show { name } => show::show(&name),
+        Command::List { what, json } => list::list(&what, json),
+        Command::Show { name, source, json } => show::show(&name, source, json),
         Command::Run(arguments) => run::run(&arguments),
-        Command::Check { scenarios, bless, engine } => check::check(&scenarios, bless, engine),
-        Command::Diff { a, b } => diff::diff(&a, &b),
+        Command::Check { scenarios, bless, engine, json } => check::check(&scenarios, bless, engine, json),
+        Command::Diff { a, b, json } => diff::diff(&a, &b, json),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Export { target, verilog } => export::export(&target, &verilog),
         Command::Completions { shell } => {
-            clap_complete::generate(shell, &mut Arguments::command(), "stepwright", &mut io::stdout());
+            let wrong = |error| files::unwritable(Path::new("standard output"), &error);
+            completions::script(shell).map_err(wrong)?;
             Ok(Ending::Done)
         }
     }
+}
+
+/// Writes what is wrong to standard error.
+fn tell(report: &Report) {
+    eprint!("{}", report.render(colored(&io::stderr())));
 }
 
 /// Whether to write colours: to a terminal, unless `NO_COLOR` is set (no-color.org) or the terminal is dumb.

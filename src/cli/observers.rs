@@ -33,7 +33,12 @@ impl Observers {
         let window = Window { from: arguments.from.unwrap_or(0), to: arguments.to.unwrap_or(u64::MAX) };
         if window.from > window.to {
             let message = format!("--from {} is after --to {}: no tick is between them", window.from, window.to);
-            return Err(Diagnostic::new("C008", message).help("exchange the two").into());
+            return Err(Diagnostic::new("C008", message).help("--from is the first tick, --to the last one").into());
+        }
+        let (last, _) = design.stimulus().last_tick();
+        if window.from > last {
+            let message = format!("--from {} is after the last tick, which is {last} at most", window.from);
+            return Err(Diagnostic::new("C008", message).help("run for longer, or begin earlier").into());
         }
         let plot = scenario.plot.as_ref().filter(|_| arguments.plot || !arguments.json);
         if arguments.plot && plot.is_none() {

@@ -8,11 +8,18 @@ use super::args::RunArguments;
 use super::observers::Observers;
 use super::print;
 use crate::base::Report;
-use crate::simulation::{Design, Outcome};
+use crate::simulation::{Broken, Design, Outcome};
 use crate::trace::{Path, Picture, Table};
 
 /// The number of the form that JSON objects have.
-pub(super) const FORMAT: u32 = 1;
+const FORMAT: u32 = 1;
+
+/// The line that a command prints with `--json`: its object, with the form's number and the command's name in it.
+pub(super) fn json(command: &str, mut object: Value) -> String {
+    object["format"] = FORMAT.into();
+    object["command"] = command.into();
+    format!("{object}\n")
+}
 
 /// Prints the result; on standard error when standard output is taken.
 pub(super) fn show(
@@ -22,7 +29,7 @@ pub(super) fn show(
     outcome: &Outcome,
 ) -> Result<(), Report> {
     let text = if arguments.json {
-        format!("{}\n", object(design, observers, outcome))
+        json("run", object(design, observers, outcome))
     } else {
         let table = observers.table.as_ref().map(ToString::to_string).unwrap_or_default();
         let picture = observers.path.as_ref().map(|path| Picture(path).to_string()).unwrap_or_default();
@@ -33,6 +40,17 @@ pub(super) fn show(
         return Ok(());
     }
     print(&text)
+}
+
+/// A sentence for each requirement of the scenario that the inputs do not satisfy.
+pub(super) fn warnings(design: &Design) -> Vec<String> {
+    let broken = design.broken_requirements(&design.stimulus().initial);
+    let sentence = |broken: Broken| {
+        let Broken { place, tick, numbers } = broken;
+        let requirement = &design.scenario().require[place].value;
+        format!("the inputs should satisfy {requirement}, but at tick {tick} that is {numbers}")
+    };
+    broken.into_iter().map(sentence).collect()
 }
 
 fn summary(design: &Design, outcome: &Outcome) -> String {
@@ -67,8 +85,6 @@ fn object(design: &Design, observers: &Observers, outcome: &Outcome) -> Value {
     let parameters: Map<_, _> =
         design.netlist().parameters.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
     let mut object = json!({
-        "format": FORMAT,
-        "command": "run",
         "circuit": design.circuit().name(),
         "parameters": parameters,
         "ticks": outcome.ticks,
@@ -77,6 +93,7 @@ fn object(design: &Design, observers: &Observers, outcome: &Outcome) -> Value {
         "real": of_outputs(&|output| output.real().map(Value::from)),
         "pulses": of_outputs(&|output| Some(output.pulses?.rising.into())),
         "high": of_outputs(&|output| Some(output.pulses?.high.into())),
+        "warnings": warnings(design),
     });
     if let Some(table) = &observers.table {
         object["table"] = rows(table);

@@ -9,6 +9,7 @@ use crate::simulation::StoppedBy;
 pub(super) fn run(arguments: &RunArguments) -> Result<Ending, Report> {
     let design = arguments.target.session()?.elaborate()?;
     let mut observers = Observers::new(arguments, &design)?;
+    result::warnings(&design).iter().for_each(|warning| eprintln!("warning: {warning}"));
     let mut run = design.start_with(observers.all()?)?.cancelled_by(interrupt::flag());
     let outcome = run.finish()?;
     let failed = run.failed_expectations(&design.scenario().expect, &outcome);

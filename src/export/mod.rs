@@ -13,4 +13,4 @@ mod page;
 
 pub use bench::{bench, bench_name};
 pub use files::{File, files};
-pub use module::{BRANCH, verilog};
+pub use module::{BRANCH, block, verilog};

@@ -73,6 +73,14 @@ pub fn verilog<'n>(netlists: impl IntoIterator<Item = &'n Netlist>) -> String {
     page.finish()
 }
 
+/// A block alone, for one set of parameters, as a Verilog-2005 module.
+#[must_use]
+pub fn block(description: &'static Description, parameters: &Parameters, body: &Body) -> String {
+    let mut page = Page::default();
+    module(&mut page, description, &[&Specialisation { description, parameters, body }]);
+    page.finish()
+}
+
 fn module(page: &mut Page, description: &Description, specialisations: &[&Specialisation<'_>]) {
     page.line(format!("// {}", description.summary));
     page.line(format!("// Source: {}", description.source));

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Signals, Waveform, compare};
+use super::{Changed, Signals, Waveform, compare};
 
 /// The differences between an old golden trace and the new one; shown, it is a report for a person.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -23,17 +23,6 @@ pub struct Summary {
     pub widths: Vec<(String, u32, u32)>,
     /// Signals whose values differ, the earliest first.
     pub changed: Vec<Changed>,
-}
-
-/// A signal whose values differ.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Changed {
-    /// Its dotted name.
-    pub name: String,
-    /// The first tick at which it differs.
-    pub first: u64,
-    /// At how many ticks it does.
-    pub ticks: u64,
 }
 
 impl Summary {

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::Waveform;
 use super::how::{How, Signals};
 use super::input::Input;
 use super::merge::{Merged, merge};
@@ -10,8 +11,18 @@ use super::read::cut;
 use super::sample::Sampled;
 use super::source::Source;
 use super::track::Value;
-use super::{Changed, Waveform};
 use crate::base::Report;
+
+/// A signal whose values differ.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Changed {
+    /// Its dotted name.
+    pub name: String,
+    /// The first tick at which it differs.
+    pub first: u64,
+    /// At how many ticks it does.
+    pub ticks: u64,
+}
 
 /// How many ticks before and after a divergence are shown.
 const AROUND: u64 = 5;

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::state::words_of;
+use super::planes::words_of;
 use crate::base::Diagnostic;
 
 crate::define_id!(

@@ -1,16 +1,7 @@
 //! The values of all signals of a file at one time.
 
 use super::declared::{Declared, Kind, Signal, SignalId};
-
-/// How many words of 64 bits a plane of `width` bits takes.
-pub(super) fn words_of(width: u32) -> usize {
-    (width as usize).div_ceil(64)
-}
-
-/// The bits of the last word of a plane that count.
-pub(super) fn last_mask(width: u32) -> u64 {
-    u64::MAX >> (width.wrapping_neg() & 63)
-}
+use super::planes::{last_mask, words_of};
 
 /// The values at one time, in place: two planes of bits for each signal, and which signals have been touched.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::declared::Kind;
-use super::state::{last_mask, words_of};
+use super::planes::{last_mask, words_of};
 use super::values::Values;
 
 /// What a signal is from each of its change times on; each value takes as much memory as it says.

@@ -1,6 +1,6 @@
 //! Values that are kept, each as small as what it says.
 
-use super::state::{last_mask, words_of};
+use super::planes::{last_mask, words_of};
 
 /// Values of one width, in the order in which they came.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]

@@ -3,7 +3,9 @@
 mod model;
 mod number;
 mod reader;
+mod require;
 
 pub use model::{Axis, Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
 pub use number::Number;
-pub use reader::parse;
+pub use reader::{KEYS, parse};
+pub use require::{Comparison, Requirement, Term};

@@ -1,6 +1,7 @@
 //! What a scenario says, name by name.
 
 use super::number::Number;
+use super::require::Requirement;
 use crate::base::Span;
 
 /// Something with a name and the place where the name stands, when it comes from a file.
@@ -21,10 +22,16 @@ pub struct Scenario {
     pub title: String,
     /// The circuit: a name such as `su1522157/interpolator`, or a path.
     pub circuit: String,
+    /// Where that is said.
+    pub circuit_span: Option<Span>,
+    /// Where the golden trace is, seen from the scenario's folder; at the usual place without it.
+    pub golden: Option<String>,
     /// Parameters of the top module.
     pub parameters: Vec<Named<i64>>,
     /// Inputs held from tick 0. Inputs not named are 0.
     pub inputs: Vec<Named<Number>>,
+    /// What the inputs have to satisfy, as long as the run lasts; each with its text as its name.
+    pub require: Vec<Named<Requirement>>,
     /// Changes of inputs, in order of tick; a changed input keeps its value.
     pub changes: Vec<Change>,
     /// When to stop.

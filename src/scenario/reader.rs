@@ -5,14 +5,31 @@ use toml::de::{DeTable, DeValue};
 
 use super::model::{Axis, Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
 use super::number::Number;
+use super::require::Requirement;
 use crate::base::word::of_letters;
 use crate::base::{Diagnostic, Report, SourceId, Sources, Span};
+
+/// Every key there is: those of a scenario, and after a dot those of its tables.
+pub const KEYS: &[(&str, &[&str])] = &[
+    ("title", &[]),
+    ("circuit", &[]),
+    ("golden", &[]),
+    ("require", &[]),
+    ("parameters", &[]),
+    ("inputs", &[]),
+    ("at", &["tick", "set"]),
+    ("stop", &["ticks", "until", "limit"]),
+    ("trace", &["signals"]),
+    ("table", &["when", "after", "columns"]),
+    ("plot", &["x", "y", "pen"]),
+    ("expect", &["ticks", "stopped_by", "outputs", "pulses"]),
+];
 
 /// Reads the text of a scenario; `name` is what messages call it.
 ///
 /// # Errors
 /// `S001` not TOML, `S002` unknown key, `S003` value of the wrong kind, `S004` something missing or contradictory,
-/// `S005` so many more errors after the first 20.
+/// `S005` so many more errors after the first 20, `S006` a requirement that is no comparison.
 pub fn parse(name: &str, text: &str) -> Result<Scenario, Report> {
     let mut sources = Sources::default();
     let source = sources.add(name, text);
@@ -31,6 +48,8 @@ pub fn parse(name: &str, text: &str) -> Result<Scenario, Report> {
     }
     if reader.wrong.is_empty() { Ok(scenario) } else { Err(Report::new(sources, reader.wrong)) }
 }
+
+const NAMES: &str = "a list of names";
 
 type Value<'t> = Spanned<DeValue<'t>>;
 
@@ -148,9 +167,10 @@ impl Reader {
         all
     }
 
-    fn names(&mut self, value: &Value<'_>) -> Vec<Named<()>> {
+    /// A list of texts; `expected` says what of.
+    fn names(&mut self, value: &Value<'_>, expected: &str) -> Vec<Named<()>> {
         let Some(list) = value.get_ref().as_array() else {
-            self.of_kind(value, "a list of names");
+            self.of_kind(value, expected);
             return Vec::new();
         };
         list.iter().filter_map(|entry| self.one_name(entry)).collect()
@@ -161,7 +181,13 @@ impl Reader {
         self.text(value).map(|name| Named { name, value: (), span })
     }
 
-    /// Reads a table key by key; `read` says whether it knows a key.
+    /// Reads a table of a scenario, of the name `name`, key by key.
+    fn keys_of(&mut self, name: &str, table: &DeTable<'_>, read: impl FnMut(&mut Self, &str, &Value<'_>)) {
+        let known = KEYS.iter().find(|(key, _)| *key == name).map_or(&[][..], |(_, keys)| keys);
+        self.keys(table, known, read);
+    }
+
+    /// Reads a table key by key; `read` gets those that are known.
     fn keys(&mut self, table: &DeTable<'_>, known: &[&str], mut read: impl FnMut(&mut Self, &str, &Value<'_>)) {
         for (key, value) in table {
             let name: &str = key.get_ref();
@@ -180,10 +206,15 @@ impl Reader {
 
     fn scenario(&mut self, root: &DeTable<'_>) -> Scenario {
         let mut scenario = Scenario::default();
-        let known = ["title", "circuit", "parameters", "inputs", "at", "stop", "trace", "table", "plot", "expect"];
+        let known: Vec<_> = KEYS.iter().map(|(key, _)| *key).collect();
         self.keys(root, &known, |reader, key, value| match key {
             "title" => scenario.title = reader.text(value).unwrap_or_default(),
-            "circuit" => scenario.circuit = reader.text(value).unwrap_or_default(),
+            "circuit" => {
+                scenario.circuit = reader.text(value).unwrap_or_default();
+                scenario.circuit_span = Some(reader.span(value.span()));
+            }
+            "golden" => scenario.golden = reader.golden(value),
+            "require" => scenario.require = reader.requirements(value),
             "parameters" => scenario.parameters = reader.entries(value, Self::parameter),
             "inputs" => scenario.inputs = reader.entries(value, Reader::number),
             "at" => scenario.changes = reader.changes(value),
@@ -205,6 +236,29 @@ impl Reader {
         scenario
     }
 
+    /// A path that no scenario or circuit can be at, for the golden trace is written there.
+    fn golden(&mut self, value: &Value<'_>) -> Option<String> {
+        let path = self.text(value)?;
+        if !path.ends_with(".vcd") {
+            self.of_kind(value, "a path that ends in .vcd");
+        }
+        Some(path)
+    }
+
+    fn requirements(&mut self, value: &Value<'_>) -> Vec<Named<Requirement>> {
+        let mut all = Vec::new();
+        for Named { name, span, .. } in self.names(value, "a list of comparisons, as in [\"minor_34 <= major_32\"]") {
+            match Requirement::parse(&name) {
+                Ok(value) => all.push(Named { name, value, span }),
+                Err(error) => self.complain(|| {
+                    let wrong = Diagnostic::new("S006", error);
+                    span.into_iter().fold(wrong, |wrong, span| wrong.at(span, "here"))
+                }),
+            }
+        }
+        all
+    }
+
     fn changes(&mut self, value: &Value<'_>) -> Vec<Change> {
         let Some(list) = value.get_ref().as_array() else {
             self.of_kind(value, "one or more [[at]] tables");
@@ -216,7 +270,7 @@ impl Reader {
     fn change(&mut self, value: &Value<'_>) -> Option<Change> {
         let (mut tick, mut set) = (None, None);
         let table = self.table(value)?;
-        self.keys(table, &["tick", "set"], |reader, key, value| match key {
+        self.keys_of("at", table, |reader, key, value| match key {
             "tick" => tick = reader.ticks(value),
             _ => set = Some(reader.entries(value, Reader::number)),
         });
@@ -234,7 +288,7 @@ impl Reader {
     fn stop(&mut self, value: &Value<'_>) -> Option<Stop> {
         let (mut ticks, mut until, mut limit) = (None, None, None);
         let table = self.table(value)?;
-        self.keys(table, &["ticks", "until", "limit"], |reader, key, value| match key {
+        self.keys_of("stop", table, |reader, key, value| match key {
             "ticks" => ticks = reader.ticks(value),
             "until" => {
                 let span = Some(reader.span(value.span()));
@@ -255,7 +309,7 @@ impl Reader {
     fn trace(&mut self, value: &Value<'_>) -> Vec<Named<()>> {
         let mut signals = Vec::new();
         if let Some(table) = self.table(value) {
-            self.keys(table, &["signals"], |reader, _, value| signals = reader.names(value));
+            self.keys_of("trace", table, |reader, _, value| signals = reader.names(value, NAMES));
         }
         signals
     }
@@ -263,11 +317,11 @@ impl Reader {
     fn shown_table(&mut self, value: &Value<'_>) -> Option<Table> {
         let mut shown = Table::default();
         let table = self.table(value)?;
-        self.keys(table, &["when", "columns", "after"], |reader, key, value| match key {
+        self.keys_of("table", table, |reader, key, value| match key {
             "when" if value.get_ref().is_str() => shown.when.extend(reader.one_name(value)),
-            "when" => shown.when = reader.names(value),
+            "when" => shown.when = reader.names(value, NAMES),
             "after" => shown.after = reader.ticks(value).unwrap_or_default(),
-            _ => shown.columns = reader.names(value),
+            _ => shown.columns = reader.names(value, NAMES),
         });
         Some(shown)
     }
@@ -275,7 +329,7 @@ impl Reader {
     fn plot(&mut self, value: &Value<'_>) -> Option<Plot> {
         let (mut x, mut y, mut pen) = (None, None, None);
         let table = self.table(value)?;
-        self.keys(table, &["x", "y", "pen"], |reader, key, value| match key {
+        self.keys_of("plot", table, |reader, key, value| match key {
             "x" => x = reader.axis(value),
             "y" => y = reader.axis(value),
             _ => pen = reader.one_name(value),
@@ -297,7 +351,7 @@ impl Reader {
     fn expect(&mut self, value: &Value<'_>) -> Expectations {
         let mut expect = Expectations::default();
         let Some(table) = self.table(value) else { return expect };
-        self.keys(table, &["ticks", "stopped_by", "outputs", "pulses"], |reader, key, value| match key {
+        self.keys_of("expect", table, |reader, key, value| match key {
             "ticks" => expect.ticks = reader.ticks(value),
             "stopped_by" => expect.stopped_by = reader.stopped_by(value),
             "outputs" => expect.outputs = reader.entries(value, Reader::number),
@@ -329,6 +383,8 @@ mod tests {
     const GOOD: &str = r#"
 title = "A frame"
 circuit = "su1522157/interpolator"
+golden = "a/frame.vcd"
+require = ["minor_34 <= major_32"]
 [parameters]
 WIDTH = 12
 [inputs]
@@ -367,6 +423,8 @@ pulses = { step_x_36 = 5 }
     fn every_key_is_read() {
         let scenario = parse("good.toml", GOOD).expect("good");
         assert_eq!(scenario.title, "A frame");
+        assert_eq!(scenario.golden.as_deref(), Some("a/frame.vcd"));
+        assert_eq!(scenario.require[0].value.to_string(), "minor_34 <= major_32");
         assert_eq!(scenario.parameters[0].value, 12);
         assert_eq!(scenario.inputs[0].value, Number::Word(16));
         assert_eq!(scenario.inputs[1].value, Number::Real(-0.5));
@@ -385,6 +443,12 @@ pulses = { step_x_36 = 5 }
         for part in ["S002", "bad.toml:3:1", "`tick`", "did you mean `ticks`?"] {
             assert!(text.contains(part), "{part} in {text}");
         }
+    }
+
+    #[test]
+    fn a_requirement_that_is_no_comparison_is_shown_with_its_place() {
+        let text = errors("circuit = \"a/b\"\nrequire = [\n  \"a < b\",\n  \"a + b\",\n]\n");
+        assert!(text.contains("S006") && text.contains("bad.toml:4:3"), "{text}");
     }
 
     #[test]

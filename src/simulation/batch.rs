@@ -34,6 +34,7 @@ pub struct Batch<'a> {
     design: &'a Design,
     program: Arc<crate::compile::Program>,
     engine: EngineKind,
+    #[cfg_attr(not(feature = "lanes"), expect(dead_code, reason = "only the lanes engine runs on several threads"))]
     threads: Option<usize>,
     cancel: Option<&'a AtomicBool>,
 }
@@ -49,9 +50,16 @@ impl Design {
 
 impl<'a> Batch<'a> {
     /// The same batch on so many threads.
-    #[must_use]
-    pub fn threads(self, threads: usize) -> Self {
-        Self { threads: Some(threads), ..self }
+    ///
+    /// # Errors
+    /// `C067` more than one for an engine that runs one stimulus after another.
+    pub fn threads(self, threads: usize) -> Result<Self, Diagnostic> {
+        let has_lanes = cfg!(feature = "lanes") && matches!(self.engine, EngineKind::Auto | EngineKind::Lanes);
+        if threads > 1 && !has_lanes {
+            let message = format!("{threads} threads for the engine `{}`, which runs on one", self.engine.name());
+            return Err(Diagnostic::new("C067", message).help("leave out --threads, or take the lanes engine"));
+        }
+        Ok(Self { threads: Some(threads), ..self })
     }
 
     /// Breaks the batch off, soon, when `cancel` becomes true.
@@ -115,10 +123,6 @@ impl<'a> Batch<'a> {
 
     /// One stimulus after another, on one core.
     fn one_by_one(&self, mut feed: impl Feed, mut sink: impl Sink) -> Result<Done, Report> {
-        if let Some(threads) = self.threads.filter(|&threads| threads > 1) {
-            let message = format!("{threads} threads for the engine `{}`, which runs on one", self.engine.name());
-            return Err(Diagnostic::new("C067", message).help("leave out --threads, or take the lanes engine").into());
-        }
         let mut stimulus = self.design.stimulus().clone();
         let mut done = Done::default();
         loop {

@@ -50,9 +50,7 @@ impl Circuit {
     /// Its name: that of its file without the ending and without the folder `circuits`.
     #[must_use]
     pub fn name(&self) -> &str {
-        let name = &self.text.name;
-        let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem);
-        stem.strip_prefix("circuits/").unwrap_or(stem)
+        name_of(&self.text)
     }
 
     /// The text of its file.
@@ -69,6 +67,13 @@ impl Circuit {
         let modules = Modules::of(&self.text, self.library.as_deref());
         netlist::load(&self.text.name, &self.text.text, None, &modules, parameters)
     }
+}
+
+/// The name of a circuit or scenario by its file: without the ending and without the folder `circuits`.
+pub(super) fn name_of(file: &Text) -> &str {
+    let name = &file.name;
+    let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem);
+    stem.strip_prefix("circuits/").unwrap_or(stem)
 }
 
 impl From<Text> for Circuit {

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use super::stimulus::Resolved;
 use super::{Circuit, EngineKind};
 use crate::base::{Signal, Stimulus};
-use crate::compile::{Observe, Program, Until, compile};
+use crate::compile::{self, Observe, Program, Until, compile};
 use crate::netlist::{Net, NetId, Netlist};
-use crate::scenario::Scenario;
+use crate::scenario::{Requirement, Scenario};
 
 /// A checked netlist and what shall be done with it. It may be run any number of times.
 #[derive(Debug)]
@@ -16,6 +17,7 @@ pub struct Design {
     netlist: Netlist,
     stimulus: Stimulus,
     until: Option<Until>,
+    required: Vec<Requirement<usize>>,
     engine: EngineKind,
 }
 
@@ -24,11 +26,11 @@ impl Design {
         circuit: Circuit,
         scenario: Scenario,
         netlist: Netlist,
-        stimulus: Stimulus,
-        until: Option<Until>,
+        resolved: Resolved,
         engine: EngineKind,
     ) -> Self {
-        Self { circuit, scenario, netlist, stimulus, until, engine }
+        let Resolved { stimulus, until, required } = resolved;
+        Self { circuit, scenario, netlist, stimulus, until, required, engine }
     }
 
     /// The circuit.
@@ -88,6 +90,11 @@ impl Design {
         self.until
     }
 
+    /// What the inputs have to satisfy, by their places: the scenario's requirements, in order.
+    pub(super) fn required(&self) -> &[Requirement<usize>] {
+        &self.required
+    }
+
     fn nets<'a>(&'a self, ids: &'a [NetId]) -> impl Iterator<Item = &'a Net> {
         ids.iter().map(|id| &self.netlist.nets[id.index()])
     }
@@ -100,6 +107,6 @@ impl Design {
 
     /// Every signal there is.
     pub(super) fn all_signals(&self) -> Vec<Signal> {
-        compile(&self.netlist, &Observe::EVERYTHING).signals
+        compile::signals(&self.netlist)
     }
 }

@@ -1,41 +1,69 @@
 //! Circuits and scenarios by what people call them.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::library::circuits_root;
+use super::stimulus::located;
 use super::{Circuit, Session, shipped};
-use crate::base::Report;
+use crate::base::{Diagnostic, Report, Sources};
 use crate::files::{self, Text};
 use crate::scenario::{self, Scenario};
 
 impl Session {
-    /// The session of a scenario, or of a circuit with its default scenario: a path to a `.toml` or `.v` file, a name
-    /// below `./circuits`, or the name of a shipped one. A circuit's default scenario is that of the same name beside
-    /// it, if it is one of this circuit.
+    /// The session of a scenario, or of a circuit with its default scenario: a path to a `.toml` or `.v` file, also
+    /// without its ending, or such a path below `./circuits`, or the name of a shipped one. A circuit's default scenario
+    /// is that of the same name beside it, if it is one of this circuit.
     ///
     /// # Errors
-    /// `C001` nothing of that name, `C002` a file that cannot be read, `S` codes for what is wrong in a scenario.
+    /// `C001` nothing of that name, or a folder; `C002` a file that cannot be read; `S` codes for what is wrong in a
+    /// scenario.
     pub fn open(target: &str) -> Result<Self, Report> {
-        find(target)
+        let path = Path::new(target);
+        let ending =
+            path.extension().and_then(|ending| ending.to_str()).filter(|ending| ["v", "toml"].contains(ending));
+        if let Some(ending) = ending {
+            let name = &target[..target.len() - ending.len() - 1];
+            // A file that is nowhere is told as such.
+            let text = of_name(name, ending)?.map_or_else(|| files::read(path), Ok)?;
+            return if ending == "v" { of_circuit(text) } else { of_scenario(text) };
+        }
+        if path.is_file() {
+            return of_circuit(files::read(path)?);
+        }
+        if let Some(circuit) = of_name(target, "v")? {
+            return of_circuit(circuit);
+        }
+        match of_name(target, "toml")? {
+            Some(scenario) => of_scenario(scenario),
+            None if path.is_dir() => Err(is_a_folder(path).into()),
+            None if target.starts_with(['.', '/']) => of_circuit(files::read(path)?),
+            None => Err(shipped::unknown(target).into()),
+        }
     }
 }
 
-fn find(target: &str) -> Result<Session, Report> {
-    let path = Path::new(target);
-    match path.extension().and_then(|ending| ending.to_str()) {
-        Some("toml") => return of_scenario(files::read(path)?),
-        Some("v") => return of_circuit(files::read(path)?),
-        _ if path.is_file() || target.starts_with(['.', '/']) => return of_circuit(files::read(path)?),
-        _ => {}
+/// A file by its path without the ending, or by that below `./circuits`, or a shipped one.
+fn of_name(name: &str, ending: &str) -> Result<Option<Text>, Report> {
+    let file = format!("{name}.{ending}");
+    let near = [PathBuf::from(&file), Path::new("circuits").join(&file)];
+    match near.iter().find(|path| path.exists()) {
+        Some(path) => files::read(path).map(Some),
+        None => Ok(shipped::file(name, ending)),
     }
-    let of_name = |ending: &str| -> Result<Option<Text>, Report> {
-        let below = Path::new("circuits").join(format!("{target}.{ending}"));
-        if below.is_file() { files::read(&below).map(Some) } else { Ok(shipped::file(target, ending)) }
-    };
-    if let Some(circuit) = of_name("v")? {
-        return of_circuit(circuit);
+}
+
+/// How many files of a folder are named.
+const MOST_NAMES: usize = 20;
+
+fn is_a_folder(folder: &Path) -> Diagnostic {
+    let wrong = Diagnostic::new("C001", format!("{} is a folder: name a circuit or scenario in it", folder.display()));
+    let all = files::below(folder, "toml").into_iter().chain(files::below(folder, "v"));
+    let names: Vec<_> = all.take(MOST_NAMES).map(|path| path.display().to_string()).collect();
+    if names.is_empty() {
+        wrong.help("there is none below it")
+    } else {
+        wrong.help(format!("such as {}", names.join(", ")))
     }
-    of_scenario(of_name("toml")?.ok_or_else(|| shipped::unknown(target))?)
 }
 
 fn of_circuit(circuit: Text) -> Result<Session, Report> {
@@ -54,7 +82,16 @@ fn of_circuit(circuit: Text) -> Result<Session, Report> {
 
 fn of_scenario(text: Text) -> Result<Session, Report> {
     let scenario = scenario::parse(&text.name, &text.text)?;
-    Ok(Session::of_scenario(circuit_of(&text, &scenario)?, scenario, text))
+    let circuit = circuit_of(&text, &scenario).map_err(|report| named_at(&text, &scenario, report))?;
+    Ok(Session::of_scenario(circuit, scenario, text))
+}
+
+/// A circuit that is not to be found, with the place where the scenario names it.
+fn named_at(text: &Text, scenario: &Scenario, report: Report) -> Report {
+    let mut sources = Sources::default();
+    sources.add(text.name.clone(), text.text.clone());
+    let wrong = report.diagnostics.into_iter().map(|wrong| located(wrong, scenario.circuit_span));
+    Report::new(sources, wrong.collect())
 }
 
 /// The circuit that a scenario names: a path relative to the scenario, or a name below the `circuits` folder that the

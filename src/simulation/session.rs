@@ -1,8 +1,10 @@
 //! A session: a circuit and what shall be done with it, before anything is read or checked.
 
+use super::circuit::name_of;
 use super::stimulus::{self, DEFAULT_LIMIT};
-use super::{Circuit, Design, EngineKind, Run};
-use crate::base::{Report, Sources};
+use super::{Circuit, Design, EngineKind, Run, names};
+use crate::base::{Diagnostic, Report, Sources};
+use crate::compile;
 use crate::files::Text;
 use crate::scenario::{self, Expectations, Named, Number, Scenario, Stop, UntilNet};
 use crate::trace::Select;
@@ -69,6 +71,13 @@ impl Session {
     #[must_use]
     pub fn scenario_file(&self) -> Option<&Text> {
         self.text.as_ref()
+    }
+
+    /// The scenario's name, if there is one: that of its file without the ending and without the folder `circuits`. A
+    /// circuit's default scenario has the circuit's name.
+    #[must_use]
+    pub fn scenario_name(&self) -> Option<&str> {
+        self.text.as_ref().map(name_of)
     }
 
     /// Sets a parameter of the circuit's top module.
@@ -140,16 +149,43 @@ impl Session {
     /// All that is wrong with the circuit, or with the names and numbers of the scenario, at once.
     pub fn elaborate(self) -> Result<Design, Report> {
         let parameters: Vec<_> = self.scenario.parameters.iter().map(|p| (p.name.clone(), p.value)).collect();
-        let netlist = self.circuit.elaborate(&parameters)?;
-        let resolved = stimulus::resolve(&netlist, &self.scenario).map_err(|errors| {
-            let mut sources = Sources::default();
-            if let Some(text) = &self.text {
-                sources.add(text.name.clone(), text.text.clone());
+        let netlist = self.circuit.elaborate(&parameters).map_err(|report| self.placed(report))?;
+        let (resolved, mut wrong) = match stimulus::resolve(&netlist, &self.scenario) {
+            Ok(resolved) => (Some(resolved), Vec::new()),
+            Err(wrong) => (None, wrong),
+        };
+        if self.text.is_some() {
+            wrong.extend(names::check(&netlist, &self.scenario, &compile::signals(&netlist)));
+        }
+        match resolved {
+            Some(resolved) if wrong.is_empty() => {
+                Ok(Design::new(self.circuit, self.scenario, netlist, resolved, self.engine))
             }
-            Report::new(sources, errors)
-        });
-        let (stimulus, until) = resolved?;
-        Ok(Design::new(self.circuit, self.scenario, netlist, stimulus, until, self.engine))
+            _ => Err(Report::new(self.sources(), wrong)),
+        }
+    }
+
+    /// The scenario's file: what the places in it point into.
+    fn sources(&self) -> Sources {
+        let mut sources = Sources::default();
+        if let Some(text) = &self.text {
+            sources.add(text.name.clone(), text.text.clone());
+        }
+        sources
+    }
+
+    /// An unknown parameter has no place in the circuit's files; here it gets that in the scenario.
+    fn placed(&self, report: Report) -> Report {
+        let unknown = |diagnostic: &Diagnostic| diagnostic.code == "N014" && diagnostic.labels.is_empty();
+        if self.text.is_none() || !report.diagnostics.iter().all(unknown) {
+            return report;
+        }
+        let place = |diagnostic: Diagnostic| {
+            let quoted = |entry: &&Named<i64>| diagnostic.message.contains(&format!("`{}`", entry.name));
+            let span = self.scenario.parameters.iter().find(quoted).and_then(|entry| entry.span);
+            stimulus::located(diagnostic, span)
+        };
+        Report::new(self.sources(), report.diagnostics.into_iter().map(place).collect())
     }
 
     /// Puts the circuit at tick 0, with the scenario's inputs applied.

@@ -1,19 +1,30 @@
 //! A scenario resolved against a netlist: names become input numbers and nets, numbers become words.
 
-use crate::base::{Change, Diagnostic, Stimulus, StopRule};
+use crate::base::{Change, Diagnostic, Span, Stimulus, StopRule};
 use crate::compile::Until;
 use crate::netlist::{Net, NetId, Netlist};
-use crate::scenario::{Named, Number, Scenario, Stop, UntilNet};
+use crate::scenario::{Named, Number, Requirement, Scenario, Stop, UntilNet};
 
 /// How long a run may last when nobody says so.
 pub const DEFAULT_LIMIT: u64 = 1_000_000;
+
+/// What a scenario does to the inputs of a netlist, and when it stops.
+#[derive(Debug)]
+pub(super) struct Resolved {
+    /// Inputs in words, and the stop rule.
+    pub stimulus: Stimulus,
+    /// The net to wait for, if any.
+    pub until: Option<Until>,
+    /// What the inputs have to satisfy, by their places.
+    pub required: Vec<Requirement<usize>>,
+}
 
 /// Resolves a scenario against the circuit it names.
 ///
 /// # Errors
 /// `S010` unknown input, `S011` a number that does not fit, `S012` unknown net to wait for, `S013` no tick to run;
 /// all of them at once.
-pub(super) fn resolve(netlist: &Netlist, scenario: &Scenario) -> Result<(Stimulus, Option<Until>), Vec<Diagnostic>> {
+pub(super) fn resolve(netlist: &Netlist, scenario: &Scenario) -> Result<Resolved, Vec<Diagnostic>> {
     let mut wrong = Vec::new();
     let mut word = |entry: &Named<Number>| input_word(netlist, entry).map_err(|error| wrong.push(error)).ok();
     let mut initial = vec![0; netlist.inputs.len()];
@@ -25,11 +36,31 @@ pub(super) fn resolve(netlist: &Netlist, scenario: &Scenario) -> Result<(Stimulu
         let words = change.set.iter().filter_map(&mut word);
         changes.extend(words.map(|(input, word)| Change { tick: change.tick, input, word }));
     }
+    let required = required(netlist, scenario, &mut wrong);
     let stop = stop_rule(netlist, scenario).map_err(|error| wrong.push(error));
     match stop {
-        Ok((stop, until)) if wrong.is_empty() => Ok((Stimulus { initial, changes, stop }, until)),
+        Ok((stop, until)) if wrong.is_empty() => {
+            Ok(Resolved { stimulus: Stimulus { initial, changes, stop }, until, required })
+        }
         _ => Err(wrong),
     }
+}
+
+/// The requirements whose inputs there are; what is wrong with the others goes to `wrong`.
+fn required(netlist: &Netlist, scenario: &Scenario, wrong: &mut Vec<Diagnostic>) -> Vec<Requirement<usize>> {
+    let mut all = Vec::new();
+    for entry in &scenario.require {
+        let place = |name: &String| {
+            let input = Named { name: name.clone(), value: (), span: entry.span };
+            find_input(netlist, &input).map(|(place, _)| place)
+        };
+        let before = wrong.len();
+        wrong.extend(entry.value.inputs().filter_map(|name| place(name).err()));
+        if wrong.len() == before {
+            all.push(entry.value.map(|name| place(name).unwrap_or_default()));
+        }
+    }
+    all
 }
 
 fn input_word(netlist: &Netlist, entry: &Named<Number>) -> Result<(usize, u64), Diagnostic> {
@@ -53,7 +84,8 @@ fn find_input<'n, T>(netlist: &'n Netlist, entry: &Named<T>) -> Result<(usize, &
     })
 }
 
-fn located(diagnostic: Diagnostic, span: Option<crate::base::Span>) -> Diagnostic {
+/// The diagnostic with the place of what it is about, when that stands in a file.
+pub(super) fn located(diagnostic: Diagnostic, span: Option<Span>) -> Diagnostic {
     match span {
         Some(span) => diagnostic.at(span, "here"),
         None => diagnostic,

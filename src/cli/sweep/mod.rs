@@ -50,28 +50,38 @@ pub struct SweepArguments {
 }
 
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
+    let format = Format::of(arguments.out.as_deref())?;
     let design = arguments.target.session()?.elaborate()?;
     let mut batch = design.batch().cancelled_by(interrupt::flag());
     if let Some(threads) = arguments.threads {
-        batch = batch.threads(threads.into());
+        batch = batch.threads(threads.into())?;
     }
     let stimuli = match &arguments.from {
         Some(path) => Stimuli::from_csv(path, &design)?,
         None => Stimuli::over(&arguments.over, &design)?,
     };
-    let rows = Rows::new(Format::of(arguments.out.as_deref()), &batch, stimuli.varied());
+    set_and_swept(arguments, &design, stimuli.varied())?;
+    let rows = Rows::new(format, &batch, stimuli.varied());
     let (mut output, done_before) = resume::open(arguments, &rows, &stimuli)?;
     let bar = progress(stimuli.count(), done_before);
     let mut text = String::new();
     let mut at_limit = 0_u64;
+    let mut broken = vec![0_u64; design.scenario().require.len()];
     let done = batch.run(stimuli.feed(done_before)?, |row| {
         at_limit += u64::from(row.stopped_by == StoppedBy::Limit);
+        design.broken_requirements(row.inputs).iter().for_each(|requirement| broken[requirement.place] += 1);
         text.clear();
         rows.write(row, &mut text);
         bar.inc(1);
         output.write(&text)
     })?;
     bar.finish_and_clear();
+    for (requirement, rows) in design.scenario().require.iter().zip(broken).filter(|(_, rows)| *rows > 0) {
+        eprintln!(
+            "warning: the inputs should satisfy {}, but in {rows} of {} rows they do not",
+            requirement.value, done.rows
+        );
+    }
     if !output.finish()? {
         return Ok(Ending::Done);
     }
@@ -85,6 +95,18 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
         return Ok(Ending::Different);
     }
     Ok(Ending::Done)
+}
+
+/// A value of `--set` for an input that the sweep varies would do nothing.
+fn set_and_swept(arguments: &SweepArguments, design: &Design, varied: &[usize]) -> Result<(), Diagnostic> {
+    let names: Vec<_> = design.inputs().map(|net| &net.name).collect();
+    match arguments.target.set.iter().find(|(name, _)| varied.iter().any(|&input| names[input] == name)) {
+        Some((name, _)) => {
+            let wrong = Diagnostic::new("C062", format!("--set gives `{name}`, which the sweep varies"));
+            Err(wrong.help("leave one of them out"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// A bar on standard error when that is a terminal.

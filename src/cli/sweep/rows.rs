@@ -3,8 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::base::Port;
 use crate::base::word::decode;
+use crate::base::{Diagnostic, Port};
 use crate::simulation::{Batch, Row};
 
 /// How rows are written.
@@ -17,10 +17,21 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that a file's name asks for.
-    pub fn of(path: Option<&Path>) -> Self {
-        let ending = path.and_then(Path::extension).and_then(|ending| ending.to_str());
-        if matches!(ending, Some("jsonl" | "ndjson" | "json")) { Format::JsonLines } else { Format::Csv }
+    /// The format that a file's name asks for; CSV for a name without an ending, such as /dev/null.
+    ///
+    /// # Errors
+    /// `C068` another ending.
+    pub fn of(path: Option<&Path>) -> Result<Self, Diagnostic> {
+        let ending = path.and_then(Path::extension).map(|ending| ending.to_string_lossy());
+        match ending.as_deref() {
+            None | Some("csv") => Ok(Format::Csv),
+            Some("jsonl" | "ndjson" | "json") => Ok(Format::JsonLines),
+            Some(_) => {
+                let name = path.unwrap_or(Path::new("-")).display();
+                let wrong = Diagnostic::new("C068", format!("the name {name} does not tell a format of rows"));
+                Err(wrong.help("end it in .csv, or in .jsonl for JSON lines"))
+            }
+        }
     }
 }
 

@@ -1,0 +1,172 @@
+//! `stepwright check`: scenarios against their golden traces and expectations.
+
+mod places;
+mod verdict;
+
+use std::fmt::Write as _;
+use std::io::{self, Cursor};
+use std::path::Path;
+
+use rayon::prelude::*;
+use serde_json::Value;
+
+use super::diff::first;
+use super::drivers::drivers;
+use super::observers::selection;
+use super::{Ending, print, tell};
+use crate::base::{Diagnostic, Report};
+use crate::files;
+use crate::golden::{self, Diff, Input, Summary, Waveform};
+use crate::simulation::{Design, EngineKind, Session};
+use crate::trace::{VCD, Wave};
+use verdict::{Kind, Verdict};
+
+pub(super) fn check(named: &[String], bless: bool, engine: EngineKind, json: bool) -> Result<Ending, Report> {
+    let bless = bless || set("STEPWRIGHT_BLESS");
+    if bless && set("CI") {
+        let diagnostic = Diagnostic::new("C005", "golden traces are not blessed in CI");
+        return Err(diagnostic.help("bless where the waveforms can be looked at, and commit them").into());
+    }
+    let is_all = named.is_empty();
+    let scenarios = if is_all { files::below(Path::new(places::ROOT), "toml") } else { places::scenarios(named)? };
+    if scenarios.is_empty() {
+        let place = if is_all { "./circuits" } else { "what was named" };
+        eprintln!("there is nothing to check: no scenario below {place}");
+        return Ok(Ending::Nothing);
+    }
+    let judged: Vec<_> = scenarios.par_iter().map(|path| judge_one(path, bless, engine)).collect();
+    let mut verdicts = Vec::new();
+    for (verdict, report) in judged {
+        report.iter().for_each(tell);
+        verdicts.push(verdict);
+    }
+    if is_all {
+        verdicts.extend(lost_goldens(&verdicts));
+    }
+    if json {
+        print(&verdict::object(&verdicts))?;
+    } else {
+        verdicts.iter().try_for_each(|verdict| print(&verdict.lines()))?;
+        print(&verdict::last_line(&verdicts))?;
+    }
+    Ok(verdict::ending(&verdicts))
+}
+
+fn set(name: &str) -> bool {
+    std::env::var_os(name).is_some_and(|value| !value.is_empty() && value != "0")
+}
+
+/// The verdict on a scenario, and what is wrong with one that cannot be run.
+fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> (Verdict, Option<Report>) {
+    let session = Session::open(&path.display().to_string());
+    let said = session.as_ref().ok().and_then(|session| session.scenario().golden.as_deref());
+    let golden = places::golden(path, said);
+    let mut verdict = Verdict::new(path, golden, Kind::Broken);
+    let ran = session.and_then(|session| Ran::session(session.engine(engine)));
+    let judged = ran.and_then(|ran| if bless { ran.bless(&mut verdict) } else { ran.judge(&mut verdict) });
+    let report = judged.err();
+    verdict.text = report.as_ref().map_or(verdict.text, Report::to_string);
+    (verdict, report)
+}
+
+fn read_waveform(path: &Path) -> Result<Waveform, Report> {
+    let file = std::fs::File::open(path).map_err(|error| files::unreadable(path, &files::reason(&error)))?;
+    golden::read(&path.display().to_string(), io::BufReader::new(file))
+}
+
+fn how_to_bless(scenario: &Path) -> String {
+    format!("to accept what came out: stepwright check --bless {}", scenario.display())
+}
+
+/// A scenario that has been run and traced.
+struct Ran {
+    design: Design,
+    vcd: Vec<u8>,
+    waveform: Waveform,
+    ticks: u64,
+    failed: Vec<String>,
+    engine: &'static str,
+}
+
+impl Ran {
+    fn session(session: Session) -> Result<Self, Report> {
+        let design = session.elaborate()?;
+        let mut vcd = Vec::new();
+        let wave = Wave::new(VCD, Box::new(Cursor::new(&mut vcd))).of(selection(&[], design.scenario())?);
+        let mut run = design.start_with(vec![Box::new(wave)])?;
+        let outcome = run.finish()?;
+        let failed = run.failed_expectations(&design.scenario().expect, &outcome);
+        let engine = run.engine();
+        drop(run);
+        let waveform = golden::read("the run", vcd.as_slice())?;
+        Ok(Self { vcd, waveform, ticks: outcome.ticks, failed, engine, design })
+    }
+
+    /// Compares with the golden trace and the expectations.
+    fn judge(self, verdict: &mut Verdict) -> Result<(), Report> {
+        let golden = &verdict.golden;
+        let mut wrong = self.failed.clone();
+        if golden.is_file() {
+            let found = golden::check(&Input::file(golden), &Input::bytes("the run", self.vcd.clone()))?;
+            verdict.first = found.comparison.divergence.as_ref().map_or(Value::Null, first);
+            if !found.comparison.is_equal() {
+                wrong.push(self.explain(&found, &verdict.scenario, golden));
+            }
+        } else {
+            wrong.push(format!("there is no golden trace {}\n{}", golden.display(), how_to_bless(&verdict.scenario)));
+        }
+        verdict.kind = if wrong.is_empty() { Kind::Equal } else { Kind::Different };
+        verdict.text = match wrong.as_slice() {
+            [] => format!("{} ticks, {} signals", self.ticks, self.waveform.names().count()),
+            wrong => wrong.join("\n"),
+        };
+        verdict.failed = self.failed;
+        Ok(())
+    }
+
+    /// Makes the run the golden trace, unless it is not what the scenario expects.
+    fn bless(self, verdict: &mut Verdict) -> Result<(), Report> {
+        let golden = &verdict.golden;
+        if !self.failed.is_empty() {
+            verdict.text = self.failed.join("\n");
+            (verdict.kind, verdict.failed) = (Kind::Different, self.failed);
+            return Ok(());
+        }
+        let old = if golden.is_file() { Some(read_waveform(golden)?) } else { None };
+        let summary = Summary::new(old.as_ref(), &self.waveform);
+        if summary.is_unchanged() {
+            (verdict.kind, verdict.text) = (Kind::Equal, "unchanged".to_owned());
+            return Ok(());
+        }
+        if let Some(folder) = golden.parent() {
+            std::fs::create_dir_all(folder).map_err(|error| files::unwritable(golden, &error))?;
+        }
+        files::write_bytes(golden, &self.vcd)?;
+        verdict.text = format!("{}: {summary}", golden.display());
+        verdict.kind = Kind::Blessed;
+        Ok(())
+    }
+
+    /// The first difference, where it comes from, and what to do now.
+    fn explain(&self, found: &Diff, scenario: &Path, golden: &Path) -> String {
+        let Diff { comparison, around } = found;
+        let mut text = format!("circuit {}, engine {}\n{comparison}", self.design.circuit().name(), self.engine);
+        if let (Some(divergence), Some([expected, got])) = (&comparison.divergence, around) {
+            let nets: Vec<_> = divergence.nets.iter().map(|net| net.name.as_str()).collect();
+            let known = drivers(self.design.netlist());
+            for cause in golden::causes(expected, got, &known, &nets, divergence.tick).iter().take(3) {
+                let _ = writeln!(text, "{cause}");
+            }
+        }
+        let _ = writeln!(text, "to look: gtkwave {}", golden.display());
+        text + &how_to_bless(scenario)
+    }
+}
+
+/// Golden traces whose scenario is gone: a lost scenario must not go unseen.
+fn lost_goldens(verdicts: &[Verdict]) -> Vec<Verdict> {
+    let known: Vec<_> = verdicts.iter().map(|verdict| verdict.golden.as_path()).collect();
+    let all = files::below(Path::new("traces"), "vcd");
+    let lost = all.into_iter().filter(|golden| !known.contains(&golden.as_path()));
+    lost.map(|golden| Verdict::new(Path::new(""), golden, Kind::Lost)).collect()
+}
