@@ -1,14 +1,14 @@
 //! `stepwright check`: scenarios against their golden traces and expectations.
 
 use std::fmt::Write as _;
-use std::io::{self, Cursor, Write as _};
+use std::io::Cursor;
 use std::path::{Component, Path, PathBuf};
 
 use rayon::prelude::*;
 
 use super::drivers::drivers;
 use super::observers::selection;
-use super::{Ending, colored, print};
+use super::{Ending, check_files, complain, print, say};
 use crate::base::{Diagnostic, Report};
 use crate::files;
 use crate::golden::{self, Diff, Input, Summary, Waveform};
@@ -25,7 +25,7 @@ pub(super) fn check(named: &[String], bless: bool, engine: EngineKind) -> Result
     let scenarios =
         if named.is_empty() { files::below(root, "toml") } else { named.iter().map(scenario_path).collect() };
     if scenarios.is_empty() {
-        eprintln!("there is nothing to check: no scenario below ./circuits");
+        say("there is nothing to check: no scenario below ./circuits");
         return Ok(Ending::Nothing);
     }
     let verdicts: Vec<_> = scenarios.par_iter().map(|path| judge_one(path, bless, engine)).collect();
@@ -71,6 +71,7 @@ fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> Result<Verdict, Re
     let golden = golden_path(path)?;
     let ran = Ran::scenario(path, engine)?;
     if bless {
+        check_files(ran.design.files().iter().map(PathBuf::as_path), [golden.as_path()])?;
         return ran.bless(&golden);
     }
     let mut wrong = ran.failed.clone();
@@ -184,7 +185,7 @@ impl Tally {
             }
             Err(report) => {
                 self.broken += 1;
-                let _ = io::stderr().write_all(report.render(colored(&io::stderr())).as_bytes());
+                complain(&report);
                 print(&format!("BROKEN   {name}\n"))
             }
         }

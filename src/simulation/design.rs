@@ -1,5 +1,6 @@
 //! A design: a circuit that has been elaborated, with its stimulus resolved against it.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::{Circuit, EngineKind};
@@ -17,6 +18,7 @@ pub struct Design {
     stimulus: Stimulus,
     until: Option<Until>,
     engine: EngineKind,
+    files: Vec<PathBuf>,
 }
 
 impl Design {
@@ -27,8 +29,15 @@ impl Design {
         stimulus: Stimulus,
         until: Option<Until>,
         engine: EngineKind,
+        files: Vec<PathBuf>,
     ) -> Self {
-        Self { circuit, scenario, netlist, stimulus, until, engine }
+        Self { circuit, scenario, netlist, stimulus, until, engine, files }
+    }
+
+    /// The files on disk that it was read from: the circuit, its modules, the scenario.
+    #[must_use]
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
     }
 
     /// The circuit.

@@ -140,7 +140,8 @@ impl Session {
     /// All that is wrong with the circuit, or with the names and numbers of the scenario, at once.
     pub fn elaborate(self) -> Result<Design, Report> {
         let parameters: Vec<_> = self.scenario.parameters.iter().map(|p| (p.name.clone(), p.value)).collect();
-        let netlist = self.circuit.elaborate(&parameters)?;
+        let (netlist, mut files) = self.circuit.elaborate_from_files(&parameters)?;
+        files.extend(self.text.iter().filter_map(|text| text.path.clone()));
         let resolved = stimulus::resolve(&netlist, &self.scenario).map_err(|errors| {
             let mut sources = Sources::default();
             if let Some(text) = &self.text {
@@ -149,7 +150,7 @@ impl Session {
             Report::new(sources, errors)
         });
         let (stimulus, until) = resolved?;
-        Ok(Design::new(self.circuit, self.scenario, netlist, stimulus, until, self.engine))
+        Ok(Design::new(self.circuit, self.scenario, netlist, stimulus, until, self.engine, files))
     }
 
     /// Puts the circuit at tick 0, with the scenario's inputs applied.
