@@ -20,10 +20,16 @@ mod function_generator;
 mod generate;
 /// Golden traces on every engine.
 mod goldens;
+/// Signals, and what they leave.
+#[cfg(unix)]
+mod interrupts;
 /// Circuits as text.
 mod netlist;
 /// Numerals of figures and names in circuits.
 mod numerals;
+/// Files that a command writes.
+#[cfg(unix)]
+mod outputs;
 mod outside;
 mod simulation;
 /// The linear interpolator of SU 1522157 and its multiplexer.

@@ -156,13 +156,23 @@ fn what_is_changed_by_hand_wins_over_the_scenario_and_drops_what_held_only_for_i
 fn expectations_may_name_any_net_and_say_what_is_wrong() {
     let rest = format!(
         "{PULSE}[stop]\nuntil = \"late\"\nlimit = 100\n\
-         [expect]\nticks = 11\noutputs = {{ \"trigger_2.q\" = 1, late = 0, nowhere = 3 }}\npulses = {{ busy = 1 }}\n"
+         [expect]\nticks = 11\noutputs = {{ \"trigger_2.q\" = 1, late = 0 }}\npulses = {{ busy = 1 }}\n"
     );
     let design = frame(&rest).elaborate().expect("a design");
     let mut run = design.start_with(Vec::new()).expect("a run");
     let outcome = run.finish().expect("an outcome");
     let failed = run.failed_expectations(&design.scenario().expect, &outcome);
-    assert_eq!(failed, ["expected ticks 11, got 10", "expected late 0, got 1", "expected nowhere 3, got no such net"]);
+    assert_eq!(failed, ["expected ticks 11, got 10", "expected late 0, got 1"]);
+}
+
+#[test]
+fn expectations_of_what_is_not_there_are_refused_before_the_run_with_their_place() {
+    let rest = "[expect]\noutputs = { latte = 0, busy = 1 }\npulses = { nowhere = 1 }\n";
+    let report = frame(rest).elaborate().expect_err("two wrong names").to_string();
+    for part in ["S016", "latte", "did you mean `late`?", "outputs = { latte", "`nowhere`: no such one-bit output"] {
+        assert!(report.contains(part), "`{part}` is not in:\n{report}");
+    }
+    assert!(!report.contains("`busy`: no"), "{report}");
 }
 
 #[test]

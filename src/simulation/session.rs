@@ -142,15 +142,17 @@ impl Session {
         let parameters: Vec<_> = self.scenario.parameters.iter().map(|p| (p.name.clone(), p.value)).collect();
         let (netlist, mut files) = self.circuit.elaborate_from_files(&parameters)?;
         files.extend(self.text.iter().filter_map(|text| text.path.clone()));
-        let resolved = stimulus::resolve(&netlist, &self.scenario).map_err(|errors| {
+        let wrong = |errors| {
             let mut sources = Sources::default();
             if let Some(text) = &self.text {
                 sources.add(text.name.clone(), text.text.clone());
             }
             Report::new(sources, errors)
-        });
-        let (stimulus, until) = resolved?;
-        Ok(Design::new(self.circuit, self.scenario, netlist, stimulus, until, self.engine, files))
+        };
+        let (stimulus, until) = stimulus::resolve(&netlist, &self.scenario).map_err(wrong)?;
+        let design = Design::new(self.circuit, self.scenario, netlist, stimulus, until, self.engine, files);
+        let unknown = design.unknown_expectations();
+        if unknown.is_empty() { Ok(design) } else { Err(wrong(unknown)) }
     }
 
     /// Puts the circuit at tick 0, with the scenario's inputs applied.

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::table::{Rows, cell};
+use super::table::{Rows, cell, headings};
 use super::{Frame, Observer};
 use crate::base::{Report, Signal, ValueId};
 use crate::files::{Out, unwritable};
@@ -42,7 +42,7 @@ impl Observer for CsvTable<'_> {
 
     fn begin(&mut self, signals: &[Signal]) -> Result<Vec<ValueId>, Report> {
         let (columns, values) = self.rows.find(signals)?;
-        self.write(std::iter::once("tick".to_owned()).chain(columns.iter().map(Signal::name)))?;
+        self.write(headings(&columns).into_iter())?;
         self.columns = columns;
         Ok(values)
     }
