@@ -64,6 +64,37 @@ fn export_overwrites_only_what_it_has_written() {
 }
 
 #[test]
+fn a_golden_that_is_the_scenario_itself_is_not_blessed() {
+    let folder = Folder::new();
+    for name in ["circuits", "traces"] {
+        fs::create_dir(folder.at(name)).expect("a folder");
+    }
+    folder.write("circuits/a.toml", "circuit = \"../y.v\"\n[stop]\nticks = 5\n");
+    fs::hard_link(folder.at("circuits/a.toml"), folder.at("traces/a.vcd")).expect("a hard link");
+    let before = folder.read("circuits/a.toml");
+    folder.refused(&["check", "--bless"], &["C030", "circuits/a.toml"]);
+    assert_eq!(folder.read("circuits/a.toml"), before);
+}
+
+#[test]
+fn paths_need_not_be_text() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new();
+    let name = |bytes| folder.at("").join(OsStr::from_bytes(bytes));
+    let (circuit, waves, rows) = (name(b"y\xff.v"), name(b"\xff.vcd"), name(b"\xff.csv"));
+    fs::copy(folder.at("y.v"), &circuit).expect("a file");
+    let run = |command: &str, more: &[&str], output: &std::path::Path| {
+        folder.command(&[command]).arg(&circuit).args(["--ticks", "5"]).args(more).arg(output).output().expect("runs")
+    };
+    for output in [run("run", &["--vcd"], &waves), run("sweep", &["--over", "go=0,1", "--out"], &rows)] {
+        assert!(output.status.success(), "{}", said(&output));
+    }
+    assert!(waves.is_file() && fs::read_to_string(rows).expect("a file").lines().count() == 3);
+    assert!(said(&run("run", &["--vcd"], &circuit)).contains("C030"), "an input is known by any name");
+}
+
+#[test]
 fn links_are_followed_and_devices_are_written_through() {
     let folder = Folder::new();
     let whole = ["run", "./y.v", "--ticks", "5", "--vcd", "plain.vcd"];

@@ -28,7 +28,8 @@ Examples:
   stepwright run us3809868/fig09_function_generator        a quarter ellipse
   stepwright check                                         every scenario against its golden trace
 
-Exit status: 0 done and equal; 1 a difference or a failed expectation; 2 wrong usage or input; 3 nothing selected.
+Exit status: 0 done and equal; 1 a difference, a failed expectation, a limit reached, or interrupted; 2 wrong usage or
+input, or an output that cannot be written; 3 nothing selected; 141 the reader of standard output has gone.
 Colours follow the terminal and the variable NO_COLOR.";
 
 /// A command.
@@ -54,7 +55,7 @@ pub enum Command {
         The golden trace of circuits/A/B.toml is traces/A/B.vcd. The variable STEPWRIGHT_BLESS=1 does what --bless does.")]
     Check {
         /// Scenario files, or names below ./circuits; all of ./circuits when none is given
-        scenarios: Vec<String>,
+        scenarios: Vec<PathBuf>,
         /// Rewrite the golden traces and print what changed (refused when the variable CI is set)
         #[arg(long)]
         bless: bool,
@@ -105,7 +106,7 @@ pub enum Listed {
 pub struct Target {
     /// A circuit or scenario: a shipped name such as su1522157/interpolator, or a path to a .v or .toml file
     #[arg(value_name = "CIRCUIT|SCENARIO")]
-    pub target: String,
+    pub target: PathBuf,
     /// Hold an input at a value: decimal, 0x.., 0b.., or a real number for a fixed-point port
     #[arg(short, long = "set", value_name = "NAME=VALUE", value_parser = assignment::<Number>, allow_hyphen_values = true)]
     pub set: Vec<(String, Number)>,

@@ -15,15 +15,18 @@ use crate::golden::{self, Diff, Input, Summary, Waveform};
 use crate::simulation::{Design, EngineKind, Session};
 use crate::trace::{VCD, Wave};
 
-pub(super) fn check(named: &[String], bless: bool, engine: EngineKind) -> Result<Ending, Report> {
+pub(super) fn check(named: &[PathBuf], bless: bool, engine: EngineKind) -> Result<Ending, Report> {
     let bless = bless || set("STEPWRIGHT_BLESS");
     if bless && set("CI") {
         let diagnostic = Diagnostic::new("C005", "golden traces are not blessed in CI");
         return Err(diagnostic.help("bless where the waveforms can be looked at, and commit them").into());
     }
     let root = Path::new("circuits");
-    let scenarios =
-        if named.is_empty() { files::below(root, "toml") } else { named.iter().map(scenario_path).collect() };
+    let scenarios = if named.is_empty() {
+        files::below(root, "toml")
+    } else {
+        named.iter().map(|named| scenario_path(named)).collect()
+    };
     if scenarios.is_empty() {
         say("there is nothing to check: no scenario below ./circuits");
         return Ok(Ending::Nothing);
@@ -44,8 +47,9 @@ fn set(name: &str) -> bool {
 }
 
 /// A scenario is named by its file, or by its name below `circuits`.
-fn scenario_path(named: &String) -> PathBuf {
-    if named.ends_with(".toml") { PathBuf::from(named) } else { Path::new("circuits").join(named.clone() + ".toml") }
+fn scenario_path(named: &Path) -> PathBuf {
+    let is_file = named.extension().is_some_and(|ending| ending == "toml");
+    if is_file { named.to_owned() } else { Path::new("circuits").join(named).with_added_extension("toml") }
 }
 
 /// `circuits/A/B.toml` -> `traces/A/B.vcd`, beside the last folder called `circuits`.
@@ -108,7 +112,7 @@ struct Ran {
 
 impl Ran {
     fn scenario(path: &Path, engine: EngineKind) -> Result<Self, Report> {
-        let design = Session::open(&path.display().to_string())?.engine(engine).elaborate()?;
+        let design = Session::open(path)?.engine(engine).elaborate()?;
         let mut vcd = Vec::new();
         let wave = Wave::new(VCD, Box::new(Cursor::new(&mut vcd))).of(selection(&[], design.scenario())?);
         let mut run = design.start_with(vec![Box::new(wave)])?;

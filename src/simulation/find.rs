@@ -15,27 +15,28 @@ impl Session {
     ///
     /// # Errors
     /// `C001` nothing of that name, `C002` a file that cannot be read, `S` codes for what is wrong in a scenario.
-    pub fn open(target: &str) -> Result<Self, Report> {
-        find(target)
+    pub fn open(target: impl AsRef<Path>) -> Result<Self, Report> {
+        find(target.as_ref())
     }
 }
 
-fn find(target: &str) -> Result<Session, Report> {
-    let path = Path::new(target);
-    match path.extension().and_then(|ending| ending.to_str()) {
-        Some("toml") => return of_scenario(files::read(path)?),
-        Some("v") => return of_circuit(files::read(path)?),
-        _ if path.is_file() || target.starts_with(['.', '/']) => return of_circuit(files::read(path)?),
+fn find(target: &Path) -> Result<Session, Report> {
+    let is_path = target.is_absolute() || target.starts_with(".") || target.starts_with("..");
+    match target.extension().and_then(|ending| ending.to_str()) {
+        Some("toml") => return of_scenario(files::read(target)?),
+        Some("v") => return of_circuit(files::read(target)?),
+        _ if target.is_file() || is_path => return of_circuit(files::read(target)?),
         _ => {}
     }
+    let name = target.to_string_lossy();
     let of_name = |ending: &str| -> Result<Option<Text>, Report> {
-        let below = Path::new("circuits").join(format!("{target}.{ending}"));
-        if below.is_file() { files::read(&below).map(Some) } else { Ok(shipped::file(target, ending)) }
+        let below = Path::new("circuits").join(format!("{name}.{ending}"));
+        if below.is_file() { files::read(&below).map(Some) } else { Ok(shipped::file(&name, ending)) }
     };
     if let Some(circuit) = of_name("v")? {
         return of_circuit(circuit);
     }
-    of_scenario(of_name("toml")?.ok_or_else(|| shipped::unknown(target))?)
+    of_scenario(of_name("toml")?.ok_or_else(|| shipped::unknown(&name))?)
 }
 
 fn of_circuit(circuit: Text) -> Result<Session, Report> {

@@ -44,7 +44,7 @@ impl Description {
         Self(json!({
             "format": FORMAT,
             "stepwright": env!("CARGO_PKG_VERSION"),
-            "circuit": { "module": netlist.scopes[0].module, "sha256": hash_of(netlist) },
+            "circuit": { "module": netlist.scopes[0].module.to_string(), "sha256": hash_of(netlist) },
             "parameters": parameters,
             "inputs": held,
             "changes": changes.collect::<Vec<_>>(),
