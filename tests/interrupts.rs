@@ -183,9 +183,10 @@ fn a_second_signal_ends_at_once_and_leaves_nothing() {
     sleep(Duration::from_millis(300));
     child.send("INT");
     sleep(Duration::from_millis(100));
-    let (output, time) = child.ended("TERM");
-    assert_eq!(output.status.signal(), Some(15), "by the second one");
-    assert!(time < Duration::from_millis(300), "{time:?}");
+    child.send("TERM");
+    // Sooner than it would give up by itself, as by the first one.
+    sleep(Duration::from_millis(200));
+    assert_eq!(child.status().and_then(|status| status.signal()), Some(15));
     assert_eq!(folder.names(), ["y.v"]);
 }
 

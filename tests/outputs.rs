@@ -254,15 +254,6 @@ fn folders_that_links_lead_to_again_are_visited_once() {
 }
 
 #[test]
-fn a_module_that_cannot_be_read_is_said_to_be_so() {
-    let folder = Folder::new();
-    folder
-        .write("top.v", "module top (input wire clk, output wire q);\n    sub sub_1 (.clk(clk), .q(q));\nendmodule\n");
-    folder.write("sub.v", b"module sub\xff");
-    folder.refused(&["run", "./top.v"], &["C002", "sub.v", "not text"]);
-}
-
-#[test]
 fn a_scenario_beside_a_circuit_that_names_another_one_is_not_applied() {
     let folder = Folder::new();
     folder.write("other.v", String::from_utf8_lossy(&folder.read("y.v")).replace("module y", "module other"));
