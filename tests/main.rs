@@ -21,14 +21,14 @@ mod generate;
 /// Golden traces on every engine.
 mod goldens;
 /// Signals, and what they leave.
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 mod interrupts;
 /// Circuits as text.
 mod netlist;
 /// Numerals of figures and names in circuits.
 mod numerals;
 /// Files that a command writes.
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 mod outputs;
 mod outside;
 mod simulation;

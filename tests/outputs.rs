@@ -164,6 +164,8 @@ fn a_minus_is_standard_output_for_every_output() {
     folder.done(&["run", "./y.v", "--ticks", "5", "--csv", "rows.csv", "--vcd", "a.vcd"]);
     assert_eq!(of(&["run", "./y.v", "--ticks", "5", "--csv", "-"]), folder.read("rows.csv"));
     assert_eq!(of(&["run", "./y.v", "--ticks", "5", "--wave", "-"]), folder.read("a.vcd"));
+    folder.done(&["run", "./y.v", "--ticks", "5", "--fst", "a.fst"]);
+    assert_eq!(of(&["run", "./y.v", "--ticks", "5", "--fst", "-"]), folder.read("a.fst"));
     let sweep = ["sweep", "./y.v", "--ticks", "5", "--over", "go=0,1"];
     assert_eq!(of(&[&sweep[..], &["--out", "-"]].concat()), of(&sweep));
     assert!(!folder.at("-").exists() && !folder.at("-.sweep").exists());
@@ -219,6 +221,7 @@ fn a_full_standard_output_is_an_error_that_is_told() {
 #[test]
 fn a_reader_that_has_gone_ends_the_program_quietly_with_the_status_of_sigpipe() {
     let folder = Folder::new();
+    // C033 is what it would be called, were there anybody to be told. A `check` that finds nothing prints nothing.
     for arguments in PRINTING.iter().filter(|arguments| arguments[0] != "check") {
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);

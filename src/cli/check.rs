@@ -1,7 +1,7 @@
 //! `stepwright check`: scenarios against their golden traces and expectations.
 
 use std::fmt::Write as _;
-use std::io::Cursor;
+use std::io::{self, Cursor};
 use std::path::{Component, Path, PathBuf};
 
 use rayon::prelude::*;

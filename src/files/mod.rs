@@ -9,6 +9,7 @@ mod lasting;
 mod output;
 mod place;
 mod read;
+mod spool;
 mod stream;
 
 pub use aside::abandon;
@@ -17,6 +18,7 @@ pub use lasting::Lasting;
 pub use output::{Out, Output, seen_from, write_bytes};
 pub use place::is_standard_output;
 pub use read::{Text, below, read, read_bytes};
+pub use spool::seekable;
 pub use stream::{Stream, is_waiting, print};
 
 use std::io;

@@ -115,7 +115,7 @@ impl Seek for Output {
         self.sink.flush()?;
         match self.sink.get_mut() {
             Sink::Aside(file) => file.seek(to),
-            Sink::Stream(_) => Err(io::Error::other("this format has to go back and forth in its file: name a file")),
+            Sink::Stream(_) => Err(io::ErrorKind::NotSeekable.into()),
         }
     }
 }

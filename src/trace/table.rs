@@ -103,7 +103,7 @@ impl Table {
         Self { what, columns: Vec::new(), rows: Vec::new() }
     }
 
-    /// The headings, see [`headings`].
+    /// The headings, once the run has begun: `tick`, then the names of the columns.
     #[must_use]
     pub fn headings(&self) -> Vec<String> {
         headings(&self.columns)
