@@ -52,12 +52,6 @@ fn is_test(path: &Path) -> bool {
     name == "tests" || name.ends_with("_tests") || path.ends_with("blocks/bench.rs")
 }
 
-fn room_of(path: &Path) -> Option<String> {
-    let below = path.strip_prefix(root().join("src")).expect("below src");
-    (below.components().count() > 1)
-        .then(|| below.components().next().expect("a room").as_os_str().to_string_lossy().into())
-}
-
 /// Code that is not a test or a comment.
 fn code(text: &str) -> String {
     let end = ["#[cfg(test)]", "#[cfg(all(test,"].iter().filter_map(|start| text.find(start)).min();
