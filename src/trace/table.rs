@@ -58,8 +58,9 @@ impl Rows {
             }
         }
         let again = self.columns.iter().enumerate().find(|(i, name)| self.columns[..*i].contains(name));
-        wrong
-            .extend(again.map(|(_, name)| Diagnostic::new("W007", format!("the table has the column `{name}` twice"))));
+        wrong.extend(again.map(|(_, name)| {
+            Diagnostic::new("W007", format!("the table has the column `{name}` twice")).help("name it once")
+        }));
         if !wrong.is_empty() {
             return Err(Report::new(Sources::default(), wrong));
         }
