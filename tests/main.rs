@@ -20,10 +20,16 @@ mod function_generator;
 mod generate;
 /// Golden traces on every engine.
 mod goldens;
+/// Signals, and what they leave.
+#[cfg(target_os = "linux")]
+mod interrupts;
 /// Circuits as text.
 mod netlist;
 /// Numerals of figures and names in circuits.
 mod numerals;
+/// Files that a command writes.
+#[cfg(target_os = "linux")]
+mod outputs;
 mod outside;
 /// Pages that say what the code does.
 mod pages;

@@ -114,6 +114,57 @@ fn a_file_cut_anywhere_is_resumed_to_the_same_bytes() {
     }
 }
 
+/// A scenario that stops within the limit for some stimuli only.
+const LIMITED: [&str; 4] = ["--over", "major_32=60,1,2,3", "--limit", "100"];
+
+#[test]
+fn rows_from_before_count_for_the_status() {
+    let folder = folder();
+    let path = folder.path().join("out.csv");
+    for name in ["out.csv", "out.jsonl"] {
+        let path = path.with_file_name(name);
+        let with = |more: &[&str]| sweep(folder.path(), &[&LIMITED[..], &["--out", name], more].concat());
+        assert_eq!(with(&[]).status.code(), Some(1));
+        let whole = fs::read_to_string(&path).expect("a file");
+        for left in 0..=whole.lines().count() {
+            let cut: String = whole.lines().take(left).flat_map(|line| [line, "\n"]).collect();
+            fs::write(&path, cut).expect("a file");
+            let resumed = with(&["--resume"]);
+            assert_eq!(resumed.status.code(), Some(1), "{name} cut after {left} lines");
+            assert!(String::from_utf8_lossy(&resumed.stderr).contains("1 of 4 rows reached the limit"));
+            assert_eq!(fs::read_to_string(&path).expect("a file"), whole);
+        }
+    }
+}
+
+#[test]
+fn a_sweep_with_anything_else_than_before_is_not_gone_on_with() {
+    let folder = folder();
+    let path = folder.path().join("out.csv");
+    rows(folder.path(), &[&FRAMES[..], &["--out", "out.csv"]].concat());
+    let whole = fs::read(&path).expect("a file");
+    fs::write(&path, &whole[..whole.len() / 2]).expect("a file");
+    let with = |more: &[&str], wanted: &[&str]| {
+        let said = refusal(folder.path(), &[&FRAMES[..], &["--out", "out.csv", "--resume"], more].concat());
+        wanted.iter().for_each(|part| assert!(said.contains(part), "`{part}` is not in:\n{said}"));
+    };
+    with(&["--ticks", "50"], &["C066", "stop", "until !busy, limit 10000", "ticks 50"]);
+    with(&["--until", "busy"], &["until busy"]);
+    with(&["--limit", "400"], &["limit 400"]);
+    with(&["-p", "WIDTH=13"], &["parameters.WIDTH: 12 in the file, 13 now"]);
+    with(&["-s", "x_is_major_35=0"], &["inputs.x_is_major_35"]);
+    fs::write(folder.path().join("frames.toml"), SCENARIO.replace("tick = 1", "tick = 2")).expect("a file");
+    with(&[], &["changes"]);
+    let circuit = stepwright::simulation::shipped::text("su1522157/interpolator.v").expect("a circuit");
+    fs::write(folder.path().join("interpolator.v"), format!("{circuit}\n// changed\n")).expect("a file");
+    fs::write(folder.path().join("frames.toml"), SCENARIO.replace("su1522157/interpolator", "interpolator.v"))
+        .expect("a file");
+    with(&[], &["circuit.sha256"]);
+    fs::write(folder.path().join("frames.toml"), SCENARIO).expect("a file");
+    fs::remove_file(folder.path().join("out.csv.sweep")).expect("a file");
+    with(&[], &["C066", "out.csv.sweep"]);
+}
+
 /// What a sweep that is refused says.
 fn refusal(folder: &Path, arguments: &[&str]) -> String {
     let output = sweep(folder, arguments);

@@ -30,7 +30,8 @@ Examples:
   stepwright run us3809868/fig09_function_generator        a quarter ellipse
   stepwright check                                         every scenario against its golden trace
 
-Exit status: 0 done and equal; 1 a difference or a failed expectation; 2 wrong usage or input; 3 nothing selected.
+Exit status: 0 done and equal; 1 a difference, a failed expectation, a limit reached, or interrupted; 2 wrong usage or
+input, or an output that cannot be written; 3 nothing selected; 141 the reader of standard output has gone.
 Colours follow the terminal and the variable NO_COLOR.";
 
 /// A command.
@@ -76,7 +77,7 @@ pub enum Command {
     Check {
         /// Scenarios and folders, by their paths or below ./circuits; all of ./circuits when none is given
         #[arg(value_name = "SCENARIO|FOLDER", add = completions::scenarios())]
-        scenarios: Vec<String>,
+        scenarios: Vec<PathBuf>,
         /// Rewrite the golden traces and print what changed (refused when the variable CI is set)
         #[arg(long)]
         bless: bool,
@@ -127,7 +128,7 @@ pub enum Command {
 pub struct Target {
     /// A circuit or scenario: a shipped name such as su1522157/interpolator, or a path to a .v or .toml file
     #[arg(value_name = "CIRCUIT|SCENARIO", add = completions::targets())]
-    pub target: String,
+    pub target: PathBuf,
     /// Hold an input at a value: decimal, 0x.., 0b.., or a real number for a fixed-point port
     #[arg(short, long = "set", value_name = "NAME=VALUE", value_parser = assignment::<Number>, allow_hyphen_values = true,
         add = completions::inputs())]

@@ -3,7 +3,6 @@
 //! The script that `stepwright completions SHELL` prints asks stepwright itself, with the words typed so far.
 
 use std::ffi::OsStr;
-use std::io::{self, Write as _};
 use std::path::Path;
 
 use clap::CommandFactory;
@@ -27,16 +26,14 @@ pub(super) fn answer() {
     CompleteEnv::with_factory(Arguments::command).var(ASKED).complete();
 }
 
-/// Writes the script for a shell.
-///
-/// # Errors
-/// When standard output cannot be written.
-pub(super) fn script(shell: Shell) -> io::Result<()> {
+/// The script for a shell.
+pub(super) fn script(shell: Shell) -> String {
     let mut text = Vec::new();
     if let Some(shell) = Shells::builtins().completer(&shell.to_string()) {
-        shell.write_registration(ASKED, "stepwright", "stepwright", "stepwright", &mut text)?;
+        // Nothing fails that is written into memory.
+        let _ = shell.write_registration(ASKED, "stepwright", "stepwright", "stepwright", &mut text);
     }
-    io::stdout().write_all(&text)
+    String::from_utf8_lossy(&text).into_owned()
 }
 
 /// Circuits and scenarios, by name or path.

@@ -7,7 +7,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::result::json as line;
-use super::{Ending, print, tell};
+use super::{Ending, complain, print};
 use crate::base::{Diagnostic, Report};
 use crate::blocks::{Description, REGISTRY};
 use crate::files;
@@ -86,7 +86,7 @@ impl Found {
             }
             Err(report) => {
                 self.broken += 1;
-                tell(&report);
+                complain(&report);
             }
         }
     }

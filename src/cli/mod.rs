@@ -29,12 +29,14 @@ use args::{Arguments, Command};
 pub enum Ending {
     /// Done, and everything equal.
     Done,
-    /// A difference, a failed expectation, a limit reached.
+    /// A difference, a failed expectation, a limit reached, an interruption.
     Different,
     /// Wrong input, which has been reported already.
     Wrong,
     /// Nothing was selected.
     Nothing,
+    /// The reader of the output has gone away, which ends the program quietly.
+    Unread,
 }
 
 impl From<Ending> for ExitCode {
@@ -44,6 +46,8 @@ impl From<Ending> for ExitCode {
             Ending::Different => 1,
             Ending::Wrong => 2,
             Ending::Nothing => 3,
+            // 128 and the number of SIGPIPE, which shells have of programs that it ends.
+            Ending::Unread => 141,
         })
     }
 }
@@ -52,14 +56,25 @@ impl From<Ending> for ExitCode {
 #[must_use]
 pub fn main() -> ExitCode {
     completions::answer();
-    let arguments = Arguments::parse();
-    match command(arguments.command) {
-        Ok(ending) => ending.into(),
-        Err(report) => {
-            tell(&report);
-            ExitCode::from(2)
+    interrupt::listen();
+    let ended = match Arguments::try_parse() {
+        Ok(arguments) => command(arguments.command),
+        Err(wrong) if wrong.use_stderr() => {
+            let _ = wrong.print();
+            Ok(Ending::Wrong)
         }
-    }
+        // What was asked for: help, or the version.
+        Err(asked) => asked.print().map(|()| Ending::Done).map_err(|error| unprintable(&error)),
+    };
+    ended
+        .unwrap_or_else(|report| {
+            if files::is_left_by_reader(&report) {
+                return Ending::Unread;
+            }
+            complain(&report);
+            Ending::Wrong
+        })
+        .into()
 }
 
 fn command(command: Command) -> Result<Ending, Report> {
@@ -72,16 +87,10 @@ fn command(command: Command) -> Result<Ending, Report> {
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Export { target, verilog } => export::export(&target, &verilog),
         Command::Completions { shell } => {
-            let wrong = |error| files::unwritable(Path::new("standard output"), &error);
-            completions::script(shell).map_err(wrong)?;
+            print(&completions::script(shell))?;
             Ok(Ending::Done)
         }
     }
-}
-
-/// Writes what is wrong to standard error.
-fn tell(report: &Report) {
-    eprint!("{}", report.render(colored(&io::stderr())));
 }
 
 /// Whether to write colours: to a terminal, unless `NO_COLOR` is set (no-color.org) or the terminal is dumb.
@@ -90,13 +99,36 @@ fn colored(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && !set("NO_COLOR") && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
 }
 
-/// Writes a result to standard output. A reader that has gone away (`| head`) is no error.
-fn print(text: &str) -> Result<(), Report> {
-    let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(files::unwritable(Path::new("standard output"), &error).into())
-        }
-        _ => Ok(()),
+/// Checks what a command reads and writes, and tells what a program that was killed has left of its outputs.
+///
+/// # Errors
+/// Those of [`files::check()`].
+fn check_files<'p>(
+    reads: impl IntoIterator<Item = &'p Path>,
+    writes: impl IntoIterator<Item = &'p Path>,
+) -> Result<(), Report> {
+    for left in files::check(reads, writes)? {
+        say(&format!("removed {}, which a program that was killed had left", left.display()));
     }
+    Ok(())
+}
+
+/// Writes a result to standard output.
+fn print(text: &str) -> Result<(), Report> {
+    files::print(text).map_err(|error| unprintable(&error))
+}
+
+fn unprintable(error: &io::Error) -> Report {
+    files::unwritable(Path::new("-"), error).into()
+}
+
+/// Writes a line to standard error. When even that cannot be written, nobody can be told.
+fn say(line: &str) {
+    let _ = writeln!(io::stderr(), "{line}");
+}
+
+/// Writes what is wrong to standard error.
+fn complain(report: &Report) {
+    let text = report.render(colored(&io::stderr()));
+    let _ = io::stderr().write_all(text.as_bytes());
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::args::RunArguments;
 use crate::base::{Diagnostic, Report};
-use crate::files::{Output, seen_from};
+use crate::files::{Output, is_standard_output, seen_from};
 use crate::scenario::{Axis, Plot, Scenario};
 use crate::simulation::Design;
 use crate::trace::{
@@ -87,11 +87,15 @@ impl Observers {
         Ok(all)
     }
 
+    /// The files that they write.
+    pub fn files(&self) -> impl Iterator<Item = &std::path::Path> {
+        let waves = self.waves.iter().map(|(_, path)| path);
+        waves.chain(&self.save).chain(self.csv.iter().map(|(path, _)| path)).map(PathBuf::as_path)
+    }
+
     /// Whether standard output is taken by one of them.
     pub fn take_standard_output(&self) -> bool {
-        let files =
-            self.waves.iter().map(|(_, path)| path).chain(&self.save).chain(self.csv.iter().map(|(path, _)| path));
-        files.into_iter().any(|path| path.as_os_str() == "-")
+        self.files().any(is_standard_output)
     }
 }
 

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::args::RunArguments;
 use super::observers::Observers;
-use super::print;
+use super::{print, say};
 use crate::base::Report;
 use crate::simulation::{Broken, Design, Outcome};
 use crate::trace::{Path, Picture, Table};
@@ -36,7 +36,7 @@ pub(super) fn show(
         table + &picture + &summary(design, outcome)
     };
     if observers.take_standard_output() {
-        eprint!("{text}");
+        say(text.trim_end());
         return Ok(());
     }
     print(&text)

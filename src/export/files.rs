@@ -14,28 +14,33 @@ pub struct File {
     pub text: String,
 }
 
+/// How the first line of every file begins, by which they are known again.
+pub const MARK: &str = "// Written by Stepwright";
+
 const BLOCKS: &str = "blocks.v";
 const BENCH: &str = "bench.v";
 
-/// The circuit's own files as they are, `blocks.v` with the blocks they use, and `bench.v` that drives them through
-/// `ticks` ticks of `stimulus`.
+/// The names of the files of a circuit, in the order of [`files`]. A circuit file keeps its name, unless another one has
+/// it.
 #[must_use]
-pub fn files(netlist: &Netlist, stimulus: &Stimulus, ticks: u64) -> Vec<File> {
-    let blocks = File { name: BLOCKS.to_owned(), text: verilog([netlist]) };
-    let bench = File { name: BENCH.to_owned(), text: bench(netlist, stimulus, ticks) };
-    let mut files = vec![blocks, bench];
-    for (path, text) in netlist.sources.iter() {
-        let name = own_name(path, &files);
-        files.push(File { name, text: text.to_string() });
+pub fn names(netlist: &Netlist) -> Vec<String> {
+    let mut names = vec![BLOCKS.to_owned(), BENCH.to_owned()];
+    for (path, _) in netlist.sources.iter() {
+        let mut name = path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned();
+        while names.contains(&name) {
+            name.insert_str(0, "circuit_");
+        }
+        names.push(name);
     }
-    files
+    names
 }
 
-/// A circuit file keeps its name, unless another one has it.
-fn own_name(path: &str, others: &[File]) -> String {
-    let mut name = path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned();
-    while others.iter().any(|other| other.name == name) {
-        name.insert_str(0, "circuit_");
-    }
-    name
+/// The circuit's own files as they are, `blocks.v` with the blocks they use, and `bench.v` that drives them through
+/// `ticks` ticks of `stimulus`; before each a line that begins with [`MARK`].
+#[must_use]
+pub fn files(netlist: &Netlist, stimulus: &Stimulus, ticks: u64) -> Vec<File> {
+    let own = netlist.sources.iter().map(|(_, text)| text.to_string());
+    let texts = [verilog([netlist]), bench(netlist, stimulus, ticks)].into_iter().chain(own);
+    let marked = |text| format!("{MARK}; `stepwright export` overwrites it.\n{text}");
+    names(netlist).into_iter().zip(texts).map(|(name, text)| File { name, text: marked(text) }).collect()
 }

@@ -12,5 +12,5 @@ mod module;
 mod page;
 
 pub use bench::{bench, bench_name};
-pub use files::{File, files};
+pub use files::{File, MARK, files, names};
 pub use module::{BRANCH, block, verilog};

@@ -1,9 +1,12 @@
-//! Results written: files aside at first, under their name only once they are whole; standard output as it comes.
+//! Outputs: files aside at first, under their name only once they are whole; streams as it comes.
 
-use std::fs;
+use std::fs::OpenOptions;
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
+use super::aside::Aside;
+use super::place::Place;
+use super::stream::Stream;
 use super::unwritable;
 use crate::base::Report;
 
@@ -30,7 +33,8 @@ impl Out for io::Cursor<&mut Vec<u8>> {
     }
 }
 
-/// A file being written: aside at first, under its name only once it is whole. The path `-` is standard output.
+/// A file being written: aside at first, under its name only once it is whole. The path `-` is standard output; links
+/// are followed, devices and pipes written through. A file that was there before keeps its owner and mode.
 #[derive(Debug)]
 pub struct Output {
     path: PathBuf,
@@ -39,47 +43,39 @@ pub struct Output {
 
 #[derive(Debug)]
 enum Sink {
-    Aside(tempfile::NamedTempFile),
-    /// A device or pipe such as /dev/null, which a rename would replace.
-    Special(fs::File),
-    Standard(io::Stdout),
+    Aside(Aside),
+    Stream(Stream),
 }
 
 impl Output {
     /// Begins to write `path`.
     ///
     /// # Errors
-    /// `C003`: its folder is missing or not writable.
+    /// `C003` a directory, a read-only file, a folder that is missing or not writable; `C031` another program is
+    /// writing it.
     pub fn create(path: &Path) -> Result<Self, Report> {
-        let sink = Self::sink(path).map_err(|error| unwritable(path, &error))?;
+        let sink = match Place::of(path).map_err(|error| unwritable(path, &error))? {
+            Place::File(target) => Sink::Aside(Aside::create(target)?),
+            Place::Standard => Sink::Stream(Stream::Standard(io::stdout())),
+            Place::Stream(target) => Sink::Stream(opened(&target).map_err(|error| unwritable(path, &error))?),
+        };
         Ok(Self { path: path.to_owned(), sink: BufWriter::new(sink) })
     }
+}
 
-    fn sink(path: &Path) -> io::Result<Sink> {
-        if path == Path::new("-") {
-            return Ok(Sink::Standard(io::stdout()));
-        }
-        match fs::metadata(path) {
-            Ok(about) if about.is_dir() => Err(io::Error::other("it is a directory")),
-            Ok(about) if !about.is_file() => fs::File::create(path).map(Sink::Special),
-            _ => {
-                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-                let mut aside = tempfile::Builder::new();
-                readable_by_all(&mut aside);
-                aside.prefix(".stepwright-").tempfile_in(folder).map(Sink::Aside)
-            }
-        }
-    }
+/// Opens a device or a pipe.
+pub(super) fn opened(target: &Path) -> io::Result<Stream> {
+    OpenOptions::new().write(true).open(target).map(Stream::Opened)
 }
 
 impl Out for Output {
     fn commit(self: Box<Self>) -> Result<(), Report> {
-        let path = self.path;
-        let mut sink = self.sink.into_inner().map_err(|error| unwritable(&path, error.error()))?;
-        sink.flush().map_err(|error| unwritable(&path, &error))?;
+        let wrong = |error: &io::Error| Report::from(unwritable(&self.path, error));
+        let mut sink = self.sink.into_inner().map_err(|error| wrong(error.error()))?;
+        sink.flush().map_err(|error| wrong(&error))?;
         match sink {
-            Sink::Aside(file) => file.persist(&path).map(drop).map_err(|error| unwritable(&path, &error.error).into()),
-            Sink::Special(_) | Sink::Standard(_) => Ok(()),
+            Sink::Aside(file) => file.commit().map_err(|error| wrong(&error)),
+            Sink::Stream(_) => Ok(()),
         }
     }
 
@@ -98,23 +94,19 @@ impl Write for Output {
     }
 }
 
-impl Sink {
-    fn writer(&mut self) -> &mut dyn Write {
-        match self {
-            Sink::Aside(file) => file,
-            Sink::Special(file) => file,
-            Sink::Standard(out) => out,
-        }
-    }
-}
-
 impl Write for Sink {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.writer().write(bytes)
+        match self {
+            Sink::Aside(file) => file.write(bytes),
+            Sink::Stream(stream) => stream.write(bytes),
+        }
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.writer().flush()
+        match self {
+            Sink::Aside(file) => file.flush(),
+            Sink::Stream(stream) => stream.flush(),
+        }
     }
 }
 
@@ -123,26 +115,15 @@ impl Seek for Output {
         self.sink.flush()?;
         match self.sink.get_mut() {
             Sink::Aside(file) => file.seek(to),
-            Sink::Special(file) => file.seek(to),
-            Sink::Standard(_) => Err(io::Error::other("this format has to go back and forth in its file: name a file")),
+            Sink::Stream(_) => Err(io::ErrorKind::NotSeekable.into()),
         }
     }
 }
 
-/// Temporary files are private by default; a result is an ordinary file, cut by the user's umask.
-#[cfg(unix)]
-fn readable_by_all(aside: &mut tempfile::Builder<'_, '_>) {
-    use std::os::unix::fs::PermissionsExt;
-    aside.permissions(fs::Permissions::from_mode(0o666));
-}
-
-#[cfg(not(unix))]
-fn readable_by_all(_: &mut tempfile::Builder<'_, '_>) {}
-
 /// Writes a whole file.
 ///
 /// # Errors
-/// `C003`.
+/// `C003`, `C031`.
 pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Report> {
     let mut output = Output::create(path)?;
     output.write_all(bytes).map_err(|error| unwritable(path, &error))?;

@@ -1,5 +1,6 @@
 //! Files read: whole, of a bounded length, as bytes or as text.
 
+use std::collections::{BTreeSet, HashSet};
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -22,16 +23,27 @@ pub struct Text {
     pub text: Arc<str>,
 }
 
-/// All files below `folder` with one of the endings, in order of path.
+/// All files below `folder` with one of the endings, in order of path. A folder that links lead to again is visited
+/// once, by its own name if it has one here.
 #[must_use]
 pub fn below(folder: &Path, ending: &str) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    for path in entries.map(|entry| entry.path()) {
-        if path.is_dir() {
-            found.extend(below(&path, ending));
-        } else if path.extension().is_some_and(|known| known == ending) {
-            found.push(path);
+    let (mut found, mut seen) = (Vec::new(), HashSet::new());
+    let (mut folders, mut links) = (vec![folder.to_owned()], BTreeSet::new());
+    while let Some(folder) = folders.pop().or_else(|| links.pop_first()) {
+        if !folder.canonicalize().is_ok_and(|whole| seen.insert(whole)) {
+            continue;
+        }
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        for path in entries.map(|entry| entry.path()) {
+            if path.is_dir() {
+                if path.is_symlink() {
+                    links.insert(path);
+                } else {
+                    folders.push(path);
+                }
+            } else if path.extension().is_some_and(|known| known == ending) {
+                found.push(path);
+            }
         }
     }
     found.sort();

@@ -64,8 +64,14 @@ impl Circuit {
     /// # Errors
     /// All that is wrong with the circuit, at once.
     pub fn elaborate(&self, parameters: &[(String, i64)]) -> Result<Netlist, Report> {
+        self.elaborate_from_files(parameters).map(|(netlist, _)| netlist)
+    }
+
+    /// The same, and the files on disk that it was read from.
+    pub(super) fn elaborate_from_files(&self, parameters: &[(String, i64)]) -> Result<(Netlist, Vec<PathBuf>), Report> {
         let modules = Modules::of(&self.text, self.library.as_deref());
-        netlist::load(&self.text.name, &self.text.text, None, &modules, parameters)
+        let netlist = netlist::load(&self.text.name, &self.text.text, None, &modules, parameters)?;
+        Ok((netlist, modules.read.take()))
     }
 }
 

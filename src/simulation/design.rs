@@ -1,5 +1,6 @@
 //! A design: a circuit that has been elaborated, with its stimulus resolved against it.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::stimulus::Resolved;
@@ -19,6 +20,7 @@ pub struct Design {
     until: Option<Until>,
     required: Vec<Requirement<usize>>,
     engine: EngineKind,
+    files: Vec<PathBuf>,
 }
 
 impl Design {
@@ -28,9 +30,16 @@ impl Design {
         netlist: Netlist,
         resolved: Resolved,
         engine: EngineKind,
+        files: Vec<PathBuf>,
     ) -> Self {
         let Resolved { stimulus, until, required } = resolved;
-        Self { circuit, scenario, netlist, stimulus, until, required, engine }
+        Self { circuit, scenario, netlist, stimulus, until, required, engine, files }
+    }
+
+    /// The files on disk that it was read from: the circuit, its modules, the scenario.
+    #[must_use]
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
     }
 
     /// The circuit.

@@ -1,6 +1,6 @@
 //! Circuits and scenarios by what people call them.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::library::circuits_root;
 use super::stimulus::located;
@@ -17,38 +17,39 @@ impl Session {
     /// # Errors
     /// `C001` nothing of that name, or a folder; `C002` a file that cannot be read; `S` codes for what is wrong in a
     /// scenario.
-    pub fn open(target: &str) -> Result<Self, Report> {
-        let path = Path::new(target);
+    pub fn open(target: impl AsRef<Path>) -> Result<Self, Report> {
+        let path = target.as_ref();
         let ending =
             path.extension().and_then(|ending| ending.to_str()).filter(|ending| ["v", "toml"].contains(ending));
         if let Some(ending) = ending {
-            let name = &target[..target.len() - ending.len() - 1];
             // A file that is nowhere is told as such.
-            let text = of_name(name, ending)?.map_or_else(|| files::read(path), Ok)?;
+            let text = of_name(&path.with_extension(""), ending)?.map_or_else(|| files::read(path), Ok)?;
             return if ending == "v" { of_circuit(text) } else { of_scenario(text) };
         }
         if path.is_file() {
             return of_circuit(files::read(path)?);
         }
-        if let Some(circuit) = of_name(target, "v")? {
+        if let Some(circuit) = of_name(path, "v")? {
             return of_circuit(circuit);
         }
-        match of_name(target, "toml")? {
+        match of_name(path, "toml")? {
             Some(scenario) => of_scenario(scenario),
             None if path.is_dir() => Err(is_a_folder(path).into()),
-            None if target.starts_with(['.', '/']) => of_circuit(files::read(path)?),
-            None => Err(shipped::unknown(target).into()),
+            None if path.is_absolute() || path.starts_with(".") || path.starts_with("..") => {
+                of_circuit(files::read(path)?)
+            }
+            None => Err(shipped::unknown(&path.to_string_lossy()).into()),
         }
     }
 }
 
 /// A file by its path without the ending, or by that below `./circuits`, or a shipped one.
-fn of_name(name: &str, ending: &str) -> Result<Option<Text>, Report> {
-    let file = format!("{name}.{ending}");
-    let near = [PathBuf::from(&file), Path::new("circuits").join(&file)];
+fn of_name(name: &Path, ending: &str) -> Result<Option<Text>, Report> {
+    let file = name.with_added_extension(ending);
+    let near = [file.clone(), Path::new("circuits").join(&file)];
     match near.iter().find(|path| path.exists()) {
         Some(path) => files::read(path).map(Some),
-        None => Ok(shipped::file(name, ending)),
+        None => Ok(shipped::file(&name.to_string_lossy(), ending)),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Where the files that a circuit uses are found: modules and memory images.
 
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -15,6 +16,8 @@ pub(super) struct Modules {
     root: Option<PathBuf>,
     /// Path of the circuit below `circuits/`.
     near: String,
+    /// What has been read from disk.
+    pub read: RefCell<Vec<PathBuf>>,
 }
 
 impl Modules {
@@ -23,7 +26,9 @@ impl Modules {
         let beside = circuit.path.as_deref().map(|path| path.parent().unwrap_or(Path::new(".")));
         let near = circuit.name.strip_prefix("circuits/").unwrap_or(&circuit.name).to_owned();
         let root = beside.and_then(circuits_root);
-        Self { folders: named.into_iter().chain(beside).map(Path::to_owned).collect(), root, near }
+        let folders = named.into_iter().chain(beside).map(Path::to_owned).collect();
+        let read = RefCell::new(circuit.path.iter().cloned().collect());
+        Self { folders, root, near, read }
     }
 
     fn on_disk(&self, file: &str) -> Option<PathBuf> {
@@ -37,7 +42,11 @@ impl Modules {
 impl Library for Modules {
     fn find(&self, file: &str) -> Option<Result<(String, Arc<str>), Report>> {
         match self.on_disk(file) {
-            Some(path) => Some(files::read(&path).map(|text| (text.name, text.text))),
+            Some(path) => {
+                let read = files::read(&path).map(|text| (text.name, text.text));
+                self.read.borrow_mut().push(path);
+                Some(read)
+            }
             None => Shelf { near: &self.near }.find(file),
         }
     }

@@ -149,7 +149,9 @@ impl Session {
     /// All that is wrong with the circuit, or with the names and numbers of the scenario, at once.
     pub fn elaborate(self) -> Result<Design, Report> {
         let parameters: Vec<_> = self.scenario.parameters.iter().map(|p| (p.name.clone(), p.value)).collect();
-        let netlist = self.circuit.elaborate(&parameters).map_err(|report| self.placed(report))?;
+        let elaborated = self.circuit.elaborate_from_files(&parameters);
+        let (netlist, mut files) = elaborated.map_err(|report| self.placed(report))?;
+        files.extend(self.text.iter().filter_map(|text| text.path.clone()));
         let (resolved, mut wrong) = match stimulus::resolve(&netlist, &self.scenario) {
             Ok(resolved) => (Some(resolved), Vec::new()),
             Err(wrong) => (None, wrong),
@@ -159,7 +161,7 @@ impl Session {
         }
         match resolved {
             Some(resolved) if wrong.is_empty() => {
-                Ok(Design::new(self.circuit, self.scenario, netlist, resolved, self.engine))
+                Ok(Design::new(self.circuit, self.scenario, netlist, resolved, self.engine, files))
             }
             _ => Err(Report::new(self.sources(), wrong)),
         }

@@ -1,11 +1,12 @@
 //! The rows of a table as CSV, written as they come, so that there may be any number of them.
 
 use std::io::{self, Write};
+use std::path::Path;
 
-use super::table::{Rows, cell};
+use super::table::{Rows, cell, headings};
 use super::{Frame, Observer};
-use crate::base::{Diagnostic, Report, Signal, ValueId};
-use crate::files::Out;
+use crate::base::{Report, Signal, ValueId};
+use crate::files::{Out, unwritable};
 
 /// A table of a run as CSV: the heading, then a line a row. Cells are those of a [`super::Table`], but 0 for a point.
 pub struct CsvTable<'o> {
@@ -24,12 +25,14 @@ impl<'o> CsvTable<'o> {
 
     fn write(&mut self, cells: impl Iterator<Item = String>) -> Result<(), Report> {
         let Some(writer) = &mut self.writer else { return Ok(()) };
-        writer.write_record(cells).map_err(|error| unwritable(&self.name, &io::Error::other(error)))
+        writer.write_record(cells).map_err(|error| {
+            let error = match error.into_kind() {
+                ::csv::ErrorKind::Io(error) => error,
+                other => io::Error::other(format!("{other:?}")),
+            };
+            unwritable(Path::new(&self.name), &error).into()
+        })
     }
-}
-
-fn unwritable(name: &str, error: &io::Error) -> Report {
-    Diagnostic::new("C003", format!("cannot write {name}: {error}")).into()
 }
 
 impl Observer for CsvTable<'_> {
@@ -39,7 +42,7 @@ impl Observer for CsvTable<'_> {
 
     fn begin(&mut self, signals: &[Signal]) -> Result<Vec<ValueId>, Report> {
         let (columns, values) = self.rows.find(signals)?;
-        self.write(std::iter::once("tick".to_owned()).chain(columns.iter().map(Signal::name)))?;
+        self.write(headings(&columns).into_iter())?;
         self.columns = columns;
         Ok(values)
     }
@@ -56,8 +59,9 @@ impl Observer for CsvTable<'_> {
 
     fn end(&mut self) -> Result<(), Report> {
         let Some(writer) = self.writer.take() else { return Ok(()) };
-        let mut out = writer.into_inner().map_err(|error| unwritable(&self.name, error.error()))?;
-        out.flush().map_err(|error| unwritable(&self.name, &error))?;
+        let name = Path::new(&self.name);
+        let mut out = writer.into_inner().map_err(|error| unwritable(name, error.error()))?;
+        out.flush().map_err(|error| unwritable(name, &error))?;
         out.commit()
     }
 }

@@ -10,11 +10,11 @@ use fst_writer::{
 use super::ascii::put_bits;
 use super::writer::WaveWriter;
 use super::{Change, Format, Item, Plan};
-use crate::files::Out;
+use crate::files::{Out, seekable};
 
 /// FST.
 pub(super) static FORMAT: Format =
-    Format { ending: "fst", begin: |out, plan| Ok(Box::new(FstWriter::new(out, plan)?)) };
+    Format { ending: "fst", begin: |out, plan| Ok(Box::new(FstWriter::new(seekable(out)?, plan)?)) };
 
 /// Bytes of changes that make a block. The writer walks each signal's changes backwards when it closes a block, which
 /// is fast only while they are in the cache.

@@ -4,10 +4,11 @@
 //! signals as the dump's, and a check with GTKWave itself (`.ci/gtkwave_check`) counts the rows it really shows.
 
 use std::fmt::{self, Write};
+use std::path::Path;
 
 use super::{Frame, Item, Observer, Plan, Select};
-use crate::base::{Diagnostic, Report, Signal, ValueId};
-use crate::files::Out;
+use crate::base::{Report, Signal, ValueId};
+use crate::files::{Out, unwritable};
 
 const BITS: u32 = 0x28;
 const HEX: u32 = 0x22;
@@ -67,7 +68,7 @@ impl Observer for SaveFile<'_> {
     fn end(&mut self) -> Result<(), Report> {
         let Some(mut out) = self.out.take() else { return Ok(()) };
         let written = out.write_all(self.text.as_bytes());
-        written.map_err(|error| Diagnostic::new("C003", format!("cannot write {}: {error}", out.name())))?;
+        written.map_err(|error| unwritable(Path::new(&out.name()), &error))?;
         out.commit()
     }
 }

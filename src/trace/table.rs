@@ -10,6 +10,9 @@ use crate::base::{Diagnostic, Report, Signal, Sources, ValueId};
 /// The most digits shown behind the point: as many as words of up to 9 fraction bits need to be exact.
 const MOST_DECIMALS: u32 = 9;
 
+/// The heading of the tick.
+const TICK: &str = "tick";
+
 /// The most rows that are kept to be shown.
 const MOST_ROWS: usize = 1 << 20;
 
@@ -54,6 +57,10 @@ impl Rows {
                 None => wrong.push(unknown(name, &names)),
             }
         }
+        let again = self.columns.iter().enumerate().find(|(i, name)| self.columns[..*i].contains(name));
+        wrong.extend(again.map(|(_, name)| {
+            Diagnostic::new("W007", format!("the table has the column `{name}` twice")).help("name it once")
+        }));
         if !wrong.is_empty() {
             return Err(Report::new(Sources::default(), wrong));
         }
@@ -69,6 +76,15 @@ impl Rows {
         }
         self.due.pop_front_if(|due| *due <= frame.tick).map(|_| columns)
     }
+}
+
+/// `tick`, then the names of the columns; a signal that is called so itself has its whole path.
+pub(super) fn headings(columns: &[Signal]) -> Vec<String> {
+    let name = |signal: &Signal| match signal.name() {
+        name if name == TICK => signal.path.join("."),
+        name => name,
+    };
+    std::iter::once(TICK.to_owned()).chain(columns.iter().map(name)).collect()
 }
 
 /// A table that is filled tick by tick and shown with aligned columns.
@@ -88,10 +104,10 @@ impl Table {
         Self { what, columns: Vec::new(), rows: Vec::new() }
     }
 
-    /// The headings: `tick`, then the names of the columns.
+    /// The headings, once the run has begun: `tick`, then the names of the columns.
     #[must_use]
     pub fn headings(&self) -> Vec<String> {
-        std::iter::once("tick".to_owned()).chain(self.what.columns.iter().cloned()).collect()
+        headings(&self.columns)
     }
 
     /// The rows: the tick, and each column's number; that of a fixed-point column in units of its last bit.

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use super::writer::WaveWriter;
 use super::{Format, Frame, Observer, Plan, Sampler, Select, Window};
-use crate::base::{Diagnostic, Report, Signal, ValueId};
-use crate::files::{Out, Output};
+use crate::base::{Report, Signal, ValueId};
+use crate::files::{self, Out, Output};
 
 /// Writes chosen signals as a waveform, in the format that the file's name tells.
 pub struct Wave<'o> {
@@ -55,7 +55,7 @@ impl<'o> Wave<'o> {
     }
 
     fn failed(&self, error: &io::Error) -> Report {
-        Diagnostic::new("C003", format!("cannot write {}: {error}", self.name)).into()
+        files::unwritable(Path::new(&self.name), error).into()
     }
 }
 

@@ -51,7 +51,11 @@ fn verilator_and_yosys_accept_every_circuit_without_a_warning() {
         let files = export::files(design.netlist(), design.stimulus(), 1);
         let folder = tempfile::tempdir().expect("a folder");
         files.iter().for_each(|file| write(folder.path(), &file.name, &file.text));
-        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v") && *name != "bench.v").collect();
+        let names: Vec<_> = files
+            .iter()
+            .map(|file| file.name.as_str())
+            .filter(|name| name.ends_with(".v") && *name != "bench.v")
+            .collect();
         lint(folder.path(), &design.netlist().scopes[0].module, &names);
     });
 }

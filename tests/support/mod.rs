@@ -1,6 +1,7 @@
 //! What several concerns need.
 
 pub mod netlist_check;
+pub mod program;
 
 use std::sync::Arc;
 

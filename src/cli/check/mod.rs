@@ -5,7 +5,7 @@ mod verdict;
 
 use std::fmt::Write as _;
 use std::io::{self, Cursor};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use serde_json::Value;
@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::diff::first;
 use super::drivers::drivers;
 use super::observers::selection;
-use super::{Ending, print, tell};
+use super::{Ending, check_files, complain, print, say};
 use crate::base::{Diagnostic, Report};
 use crate::files;
 use crate::golden::{self, Diff, Input, Summary, Waveform};
@@ -21,7 +21,7 @@ use crate::simulation::{Design, EngineKind, Session};
 use crate::trace::{VCD, Wave};
 use verdict::{Kind, Verdict};
 
-pub(super) fn check(named: &[String], bless: bool, engine: EngineKind, json: bool) -> Result<Ending, Report> {
+pub(super) fn check(named: &[PathBuf], bless: bool, engine: EngineKind, json: bool) -> Result<Ending, Report> {
     let bless = bless || set("STEPWRIGHT_BLESS");
     if bless && set("CI") {
         let diagnostic = Diagnostic::new("C005", "golden traces are not blessed in CI");
@@ -31,13 +31,13 @@ pub(super) fn check(named: &[String], bless: bool, engine: EngineKind, json: boo
     let scenarios = if is_all { files::below(Path::new(places::ROOT), "toml") } else { places::scenarios(named)? };
     if scenarios.is_empty() {
         let place = if is_all { "./circuits" } else { "what was named" };
-        eprintln!("there is nothing to check: no scenario below {place}");
+        say(&format!("there is nothing to check: no scenario below {place}"));
         return Ok(Ending::Nothing);
     }
     let judged: Vec<_> = scenarios.par_iter().map(|path| judge_one(path, bless, engine)).collect();
     let mut verdicts = Vec::new();
     for (verdict, report) in judged {
-        report.iter().for_each(tell);
+        report.iter().for_each(complain);
         verdicts.push(verdict);
     }
     if is_all {
@@ -58,7 +58,7 @@ fn set(name: &str) -> bool {
 
 /// The verdict on a scenario, and what is wrong with one that cannot be run.
 fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> (Verdict, Option<Report>) {
-    let session = Session::open(&path.display().to_string());
+    let session = Session::open(path);
     let said = session.as_ref().ok().and_then(|session| session.scenario().golden.as_deref());
     let golden = places::golden(path, said);
     let mut verdict = Verdict::new(path, golden, Kind::Broken);
@@ -127,6 +127,7 @@ impl Ran {
     /// Makes the run the golden trace, unless it is not what the scenario expects.
     fn bless(self, verdict: &mut Verdict) -> Result<(), Report> {
         let golden = &verdict.golden;
+        check_files(self.design.files().iter().map(PathBuf::as_path), [golden.as_path()])?;
         if !self.failed.is_empty() {
             verdict.text = self.failed.join("\n");
             (verdict.kind, verdict.failed) = (Kind::Different, self.failed);

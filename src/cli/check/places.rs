@@ -13,17 +13,17 @@ pub(super) const ROOT: &str = "circuits";
 ///
 /// # Errors
 /// `C001` for each that is nowhere.
-pub(super) fn scenarios(named: &[String]) -> Result<Vec<PathBuf>, Report> {
+pub(super) fn scenarios(named: &[PathBuf]) -> Result<Vec<PathBuf>, Report> {
     let (mut all, mut wrong) = (Vec::new(), Vec::new());
     for name in named {
-        let near = [PathBuf::from(name), Path::new(ROOT).join(name)];
-        let with_ending = near.iter().map(|path| PathBuf::from(format!("{}.toml", path.display())));
+        let near = [name.clone(), Path::new(ROOT).join(name)];
+        let with_ending = near.iter().map(|path| path.with_added_extension("toml"));
         let files = near.iter().filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
         let mut files = files.cloned().chain(with_ending).filter(|path| path.is_file());
         match (files.next(), near.iter().find(|path| path.is_dir())) {
             (Some(file), _) => all.push(file),
             (None, Some(folder)) => all.extend(files::below(folder, "toml")),
-            (None, None) => wrong.push(nowhere(name)),
+            (None, None) => wrong.push(nowhere(&name.to_string_lossy())),
         }
     }
     all.sort();

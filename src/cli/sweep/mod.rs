@@ -1,20 +1,23 @@
 //! `stepwright sweep`: many stimuli of one circuit, one row each, in order.
 
+mod csv_file;
+mod description;
 mod ranges;
 mod resume;
 mod rows;
 mod stimuli;
 
-use std::io::IsTerminal;
-use std::path::PathBuf;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::args::Target;
-use super::{Ending, interrupt};
+use super::{Ending, check_files, interrupt, say};
 use crate::base::{Diagnostic, Report, StoppedBy};
 use crate::simulation::Design;
+use description::Description;
 use ranges::Over;
 use rows::{Format, Rows};
 use stimuli::Stimuli;
@@ -27,7 +30,7 @@ use stimuli::Stimuli;
     stepwright sweep su1522157/interpolator --from frames.csv --out results.jsonl\n\n\
     A range a..b ends before b, a..=b with it; :s takes every s-th. With several --over the last varies fastest.\n\
     Rows are CSV, or JSON lines when the file's name ends in .jsonl. Interrupted (Ctrl-C), the file holds all rows done\n\
-    so far; the same command with --resume goes on from there.")]
+    so far; the same command with --resume goes on from there. What sweep they are of stands in FILE.sweep beside it.")]
 pub struct SweepArguments {
     /// What to run.
     #[command(flatten)]
@@ -42,7 +45,7 @@ pub struct SweepArguments {
     #[arg(long, value_name = "FILE.csv|.jsonl")]
     pub out: Option<PathBuf>,
     /// Threads to run on; all cores by default
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Go on with a file that an interrupted sweep left
     #[arg(long, requires = "out")]
@@ -52,22 +55,27 @@ pub struct SweepArguments {
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     let format = Format::of(arguments.out.as_deref())?;
     let design = arguments.target.session()?.elaborate()?;
-    let mut batch = design.batch().cancelled_by(interrupt::flag());
-    if let Some(threads) = arguments.threads {
-        batch = batch.threads(threads.into())?;
-    }
+    let out = arguments.out.as_deref().unwrap_or(Path::new("-"));
+    let beside = Description::path(out);
+    let reads = design.files().iter().chain(&arguments.from).map(PathBuf::as_path);
+    check_files(reads, [out, beside.as_path()])?;
     let stimuli = match &arguments.from {
         Some(path) => Stimuli::from_csv(path, &design)?,
         None => Stimuli::over(&arguments.over, &design)?,
     };
     set_and_swept(arguments, &design, stimuli.varied())?;
+    let mut batch = design.batch();
+    if let Some(threads) = arguments.threads {
+        batch = batch.threads(threads.into())?;
+    }
     let rows = Rows::new(format, &batch, stimuli.varied());
-    let (mut output, done_before) = resume::open(arguments, &rows, &stimuli)?;
-    let bar = progress(stimuli.count(), done_before);
+    let description = Description::new(&design, &stimuli);
+    let (mut output, left) = resume::open(out, arguments.resume, &rows, &stimuli, &description)?;
+    let bar = progress(stimuli.count(), left.rows);
     let mut text = String::new();
-    let mut at_limit = 0_u64;
+    let mut at_limit = left.at_limit;
     let mut broken = vec![0_u64; design.scenario().require.len()];
-    let done = batch.run(stimuli.feed(done_before)?, |row| {
+    let done = batch.cancelled_by(interrupt::flag()).run(stimuli.feed(left.rows)?, |row| {
         at_limit += u64::from(row.stopped_by == StoppedBy::Limit);
         design.broken_requirements(row.inputs).iter().for_each(|requirement| broken[requirement.place] += 1);
         text.clear();
@@ -77,21 +85,20 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     })?;
     bar.finish_and_clear();
     for (requirement, rows) in design.scenario().require.iter().zip(broken).filter(|(_, rows)| *rows > 0) {
-        eprintln!(
-            "warning: the inputs should satisfy {}, but in {rows} of {} rows they do not",
-            requirement.value, done.rows
-        );
+        let (wanted, all) = (&requirement.value, done.rows);
+        say(&format!("warning: the inputs should satisfy {wanted}, but in {rows} of {all} rows they do not"));
     }
-    if !output.finish()? {
-        return Ok(Ending::Done);
-    }
-    let rows = done_before + done.rows;
+    output.finish()?;
+    let rows = left.rows + done.rows;
     if rows < stimuli.count() {
-        eprintln!("{}", interrupted(rows, stimuli.count(), arguments));
+        say(&format!("interrupted after {rows} of {} rows", stimuli.count()));
+        if let Some(path) = &arguments.out {
+            hint(path);
+        }
         return Ok(Ending::Different);
     }
     if at_limit > 0 {
-        eprintln!("{at_limit} of {} rows reached the limit before the net to wait for came", done.rows);
+        say(&format!("{at_limit} of {rows} rows reached the limit before the net to wait for came"));
         return Ok(Ending::Different);
     }
     Ok(Ending::Done)
@@ -120,15 +127,17 @@ fn progress(count: u64, done: u64) -> ProgressBar {
     bar
 }
 
-fn interrupted(rows: u64, count: u64, arguments: &SweepArguments) -> String {
-    let head = format!("interrupted after {rows} of {count} rows");
-    match &arguments.out {
-        None => head,
-        Some(path) => {
-            let typed: Vec<_> = std::env::args().filter(|word| word != "--resume").collect();
-            format!("{head}, which are in {}; to go on:\n  {} --resume", path.display(), typed.join(" "))
-        }
-    }
+/// Tells how to go on, as it can be typed.
+fn hint(out: &Path) {
+    let mut typed: Vec<_> = std::env::args_os().filter(|word| word != "--resume").collect();
+    // After the name of the command: what follows may be cut by a `--`.
+    typed.insert(2.min(typed.len()), "--resume".into());
+    let words = typed.iter().map(|word| word.as_encoded_bytes());
+    let mut line = format!("they are in {}; to go on:\n  ", out.display()).into_bytes();
+    // An argument has no NUL, which is all that cannot be quoted.
+    line.extend(shlex::bytes::try_join(words).unwrap_or_default());
+    line.push(b'\n');
+    let _ = io::stderr().write_all(&line);
 }
 
 /// A sweep over an input that the scenario changes by itself would show words that the circuit never had.

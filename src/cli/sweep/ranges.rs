@@ -1,5 +1,7 @@
 //! `NAME=RANGE`: the values an input takes, one after another.
 
+use std::fmt;
+
 use crate::scenario::Number;
 
 /// An input and the values it takes.
@@ -73,6 +75,22 @@ impl Over {
     }
 }
 
+impl fmt::Display for Over {
+    /// As it could have been typed.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, span) in self.spans.iter().enumerate() {
+            let before = if i == 0 { format!("{}=", self.name) } else { ",".to_owned() };
+            match *span {
+                Span::One(number) => write!(f, "{before}{number}")?,
+                Span::Range { first, step, count } => {
+                    write!(f, "{before}{first}..={}:{step}", first + step * i128::from(count - 1))?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
 fn span(item: &str) -> Result<Span, String> {
     let Some((first, rest)) = item.split_once("..") else { return Number::parse(item).map(Span::One) };
     let (last, step) = rest.split_once(':').unwrap_or((rest, "1"));
@@ -126,6 +144,13 @@ mod tests {
     fn lists_mix_numbers_and_ranges() {
         assert_eq!(values("x=7,1..3, -4"), words(&[7, 1, 2, -4]));
         assert_eq!(values("x=0.5"), [Number::Real(0.5)]);
+    }
+
+    #[test]
+    fn what_is_shown_takes_the_same_values() {
+        for text in ["x=7,1..3,-4", "x=0..=10:5", "x=0..10:5", "x=0.5,1.0"] {
+            assert_eq!(values(&Over::parse(text).expect("a range").to_string()), values(text), "{text}");
+        }
     }
 
     #[test]

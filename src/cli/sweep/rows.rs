@@ -35,6 +35,9 @@ impl Format {
     }
 }
 
+/// The columns of a CSV that are of the run and of no port.
+const OF_THE_RUN: [&str; 2] = ["ticks", "stopped_by"];
+
 /// A column: names of ports are identifiers, so that neither format has to quote or escape anything.
 #[derive(Clone, Debug)]
 struct Column {
@@ -75,11 +78,17 @@ impl Rows {
         }
     }
 
-    /// The first line of the file; none for JSON lines.
+    /// The first line of the file; none for JSON lines. No two columns share a name: a port that is called as a column
+    /// of the run is told from it by where it stands in a JSON line.
     pub fn header(&self) -> Option<String> {
-        let ports = self.inputs.iter().chain(&self.outputs).map(|column| column.name.clone());
+        let named = |kind: &str, column: &Column| match OF_THE_RUN.contains(&column.name.as_str()) {
+            true => format!("{kind}.{}", column.name),
+            false => column.name.clone(),
+        };
+        let inputs = self.inputs.iter().map(|column| named("inputs", column));
+        let outputs = self.outputs.iter().map(|column| named("outputs", column));
         let pulses = self.pulses.iter().map(|name| format!("pulses.{name}"));
-        let all: Vec<_> = ports.chain(["ticks".into(), "stopped_by".into()]).chain(pulses).collect();
+        let all: Vec<_> = inputs.chain(outputs).chain(OF_THE_RUN.map(str::to_owned)).chain(pulses).collect();
         (self.format == Format::Csv).then(|| all.join(",") + "\n")
     }
 
@@ -96,6 +105,15 @@ impl Rows {
             }
         }
         text
+    }
+
+    /// Whether a line that was written tells of a run that reached its limit. All else in it are numbers and names.
+    pub fn is_at_limit(&self, line: &[u8]) -> bool {
+        let word: &[u8] = match self.format {
+            Format::Csv => b",limit",
+            Format::JsonLines => b"\"stopped_by\":\"limit\"",
+        };
+        line.windows(word.len()).any(|window| window == word)
     }
 
     /// Appends a row and its line end.

@@ -1,18 +1,19 @@
 //! The stimuli of a sweep: a cross product of ranges, or the rows of a CSV file, checked before anything runs.
 
-use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use serde_json::{Value, json};
+
+use super::csv_file::CsvFile;
 use super::ranges::Over;
 use super::untimed;
 use crate::base::{Diagnostic, Report, Sources};
-use crate::files;
 use crate::netlist::Net;
 use crate::scenario::Number;
 use crate::simulation::Design;
 
 /// How many errors of a CSV file are shown.
-const MOST_ERRORS: usize = 20;
+const MOST_ERRORS: usize = 100;
 
 /// Checked stimuli.
 pub struct Stimuli {
@@ -28,7 +29,7 @@ enum Source {
     /// For each varied input its values, as words.
     Ranges(Vec<Axis>),
     Csv {
-        path: PathBuf,
+        file: CsvFile,
         ports: Vec<Port>,
     },
 }
@@ -98,13 +99,15 @@ impl Stimuli {
         }
     }
 
-    /// The rows of a CSV file; its header names inputs. The whole file is checked, a row at a time.
+    /// The rows of a CSV file, or of a pipe that brings one; its header names inputs. The whole file is checked, a row
+    /// at a time.
     ///
     /// # Errors
     /// As [`Stimuli::over`], each with its line; `C065` what is no CSV.
     pub fn from_csv(path: &Path, design: &Design) -> Result<Self, Report> {
-        let mut reader = open(path)?;
-        let header = reader.headers().map_err(|error| not_csv(path, &error))?.clone();
+        let file = CsvFile::open(path)?;
+        let mut reader = file.reader()?;
+        let header = reader.headers().map_err(|error| file.wrong(&error))?.clone();
         let mut wrong = Vec::new();
         if header.is_empty() {
             wrong
@@ -115,22 +118,36 @@ impl Stimuli {
             return Err(Report::new(Sources::default(), wrong));
         };
         let ports: Vec<_> = varied.iter().map(|&input| Port::of(net(design, input))).collect();
-        let mut record = csv::StringRecord::new();
-        let mut count = 0;
-        while wrong.len() < MOST_ERRORS && reader.read_record(&mut record).map_err(|error| not_csv(path, &error))? {
+        let mut record = csv::ByteRecord::new();
+        let (mut count, mut more) = (0, 0_u64);
+        while reader.read_byte_record(&mut record).map_err(|error| file.wrong(&error))? {
             count += 1;
-            for ((field, port), name) in record.iter().zip(&ports).zip(&header) {
-                if let Err(error) = Number::parse(field).and_then(|number| port.encode(number)) {
-                    let line = record.position().map_or(0, csv::Position::line);
-                    wrong.push(Diagnostic::new("C063", format!("{}:{line}: {name}: {error}", path.display())));
+            for (code, what) in wrong_in(&record, &header, &ports) {
+                let line = record.position().map_or(0, csv::Position::line);
+                match wrong.len() < MOST_ERRORS {
+                    true => wrong.push(Diagnostic::new(code, format!("{}:{line}: {what}", path.display()))),
+                    false => more += 1,
                 }
             }
+        }
+        if more > 0 {
+            wrong.push(Diagnostic::new("C065", format!("{}: {more} more errors", path.display())));
         }
         if !wrong.is_empty() {
             return Err(Report::new(Sources::default(), wrong));
         }
-        let source = Source::Csv { path: path.to_owned(), ports };
+        let source = Source::Csv { file, ports };
         Ok(Self { initial: design.stimulus().initial.clone(), varied, source, count })
+    }
+
+    /// What they are, for the description of the sweep.
+    pub fn describe(&self) -> Value {
+        match &self.source {
+            Source::Ranges(axes) => {
+                json!({ "over": axes.iter().map(|axis| axis.over.to_string()).collect::<Vec<_>>() })
+            }
+            Source::Csv { file, .. } => json!({ "from_sha256": file.sha256(), "rows": self.count }),
+        }
     }
 
     /// How many there are.
@@ -156,8 +173,8 @@ impl Stimuli {
         let (initial, varied) = (self.initial.clone(), self.varied.clone());
         let mut next: NextRow = match &self.source {
             Source::Ranges(axes) => self.cross_product(axes, skip),
-            Source::Csv { path, ports } => {
-                let mut records = open(path)?.into_records().skip(usize::try_from(skip).unwrap_or(usize::MAX));
+            Source::Csv { file, ports } => {
+                let mut records = file.reader()?.into_records().skip(usize::try_from(skip).unwrap_or(usize::MAX));
                 let (ports, mut left) = (ports.clone(), self.count - skip);
                 Box::new(move |set| {
                     // The file was checked as a whole; should it have changed since, the sweep ends here.
@@ -225,16 +242,15 @@ fn columns<'a>(
     found
 }
 
-fn open(path: &Path) -> Result<csv::Reader<File>, Report> {
-    if path.is_dir() {
-        return Err(Diagnostic::new("C002", format!("cannot read {}: it is a directory", path.display())).into());
+/// What is wrong in a row: its length, and each value.
+fn wrong_in(record: &csv::ByteRecord, header: &csv::StringRecord, ports: &[Port]) -> Vec<(&'static str, String)> {
+    let mut wrong = Vec::new();
+    if record.len() != header.len() {
+        wrong.push(("C065", format!("{} values for {} inputs", record.len(), header.len())));
     }
-    let file = File::open(path).map_err(|error| files::unreadable(path, &files::reason(&error)))?;
-    Ok(csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(file))
-}
-
-fn not_csv(path: &Path, error: &csv::Error) -> Report {
-    Diagnostic::new("C065", format!("{}: {error}", path.display()))
-        .help("the first line names inputs, every other line has a number for each of them")
-        .into()
+    for ((field, port), name) in record.iter().zip(ports).zip(header) {
+        let word = Number::parse(&String::from_utf8_lossy(field)).and_then(|number| port.encode(number));
+        wrong.extend(word.err().map(|error| ("C063", format!("{name}: {error}"))));
+    }
+    wrong
 }

@@ -135,8 +135,9 @@ impl<'a, F: Feed, S: Sink> Queue<'a, F, S> {
     pub(super) fn break_off(&self, results: &mut Results) {
         let mut inner = self.lock();
         self.give_back(&mut inner, results);
-        drop(inner);
+        // Under the lock, or a worker that has just looked would begin to wait for ever.
         self.is_broken_off.store(true, Ordering::Relaxed);
+        drop(inner);
         self.changed.notify_all();
     }
 
