@@ -24,7 +24,8 @@ fn an_output_that_is_an_input_by_whatever_name_is_refused() {
     }
     folder.refused(&["run", "./top.v", "--ticks", "5", "--csv", "y.v"], &["C030", "y.v"]);
     folder.refused(&["sweep", "./y.v", "--from", "io.csv", "--out", "io.csv"], &["C030", "io.csv"]);
-    folder.refused(&["sweep", "./y.v", "--from", "io.csv", "--out", "y.v"], &["C030"]);
+    symlink("y.v", folder.at("y.csv")).expect("a link");
+    folder.refused(&["sweep", "./y.v", "--from", "io.csv", "--out", "y.csv"], &["C030"]);
     let command = &mut folder.command(&["sweep", "./y.v", "--from", "io.csv"]);
     let appending = fs::OpenOptions::new().append(true).open(folder.at("io.csv")).expect("a file");
     let output = command.stdout(appending).stderr(Stdio::piped()).output().expect("runs");
@@ -202,7 +203,7 @@ const PRINTING: [&[&str]; 9] = [
     &["run", "./y.v", "--ticks", "5", "--json"],
     &["run", "./y.v", "--ticks", "5", "--vcd", "-"],
     &["sweep", "./y.v", "--ticks", "5", "--over", "go=0,1"],
-    &["check", "nothing"],
+    &["check", "y.toml"],
     &["completions", "bash"],
     &["--help"],
 ];
@@ -210,6 +211,7 @@ const PRINTING: [&[&str]; 9] = [
 #[test]
 fn a_full_standard_output_is_an_error_that_is_told() {
     let folder = Folder::new();
+    folder.write("y.toml", "circuit = \"y.v\"\n[stop]\nticks = 5\n");
     for arguments in PRINTING {
         let full = File::options().write(true).open("/dev/full").expect("a device");
         let output = folder.command(arguments).stdout(full).stderr(Stdio::piped()).output().expect("runs");

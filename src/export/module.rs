@@ -127,7 +127,7 @@ fn branches(page: &mut Page, description: &Description, specialisations: &[&Spec
     page.block("generate", "endgenerate", |page| {
         let mut otherwise = "";
         for specialisation in specialisations {
-            let equal = specialisation.parameters.iter().map(|(name, value)| format!("{name} == {}", number(value)));
+            let equal = specialisation.parameters.iter().map(|(name, value)| format!("{name} == {}", compared(value)));
             let condition = equal.collect::<Vec<_>>().join(" && ");
             page.block(format!("{otherwise}if ({condition}) begin : {BRANCH}"), "end", |page| {
                 body(page, description, specialisation.body);
@@ -138,6 +138,16 @@ fn branches(page: &mut Page, description: &Description, specialisations: &[&Spec
             page.line(format!("{}_was_not_exported_with_these_parameters other_parameters ();", description.name));
         });
     });
+}
+
+/// A parameter's value to be compared with; a name as the string that it is given as, so that widths agree.
+fn compared(value: i64) -> String {
+    let letters: Vec<u8> = value.to_be_bytes().into_iter().skip_while(|&byte| byte == 0).collect();
+    let is_name = letters.len() > 4 && letters.iter().all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
+    match String::from_utf8(letters) {
+        Ok(name) if is_name => format!("\"{name}\""),
+        _ => number(value),
+    }
 }
 
 /// A parameter's value; Verilog's unsized numbers may have no more than 32 bits.
