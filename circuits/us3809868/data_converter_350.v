@@ -3,13 +3,14 @@
 // Data converter 350 of US 3,809,868, FIG. 11: converters 352, 354, 356, 358 and 360 for cases I to V, FIG. 3 and 5 to 8,
 // and switch 362 that selects one of them. Converter 14 of FIG. 1 has the same inside, as the text says.
 //
-// Line i of `lines` starts the converter of case i together with `begin_350`; line i of `lines_held` selects its results.
+// `lines` has a bit for each case, case I lowest: it starts that converter together with `begin_350`. Likewise `lines_held`
+// selects whose results come out.
 // `done` and `error` are those of the selected converter.
 module data_converter_350 (
     input wire clk,
     input wire begin_350,
-    input wire [5:1] lines,
-    input wire [5:1] lines_held,
+    input wire [4:0] lines,
+    input wire [4:0] lines_held,
     input wire signed [15:0] x0,
     input wire signed [15:0] y0,
     input wire signed [15:0] x1,
@@ -39,7 +40,7 @@ module data_converter_350 (
     wire signed [15:0] y0_1;
     wire done_1;
     wire error_1;
-    and and_start_1 (start_1, begin_350, lines[1]);
+    and and_start_1 (start_1, begin_350, lines[0]);
     fig03_case1 converter_352 (
         .clk(clk), .start(start_1), .x0(x0), .y0(y0), .x1(x1), .y1(y1), .s0(s0), .s1(s1),
         .x0_out(x0_1), .y0_out(y0_1), .j(j_1), .k(k_1), .l(l_1), .m(m_1), .done(done_1), .error(error_1)
@@ -54,7 +55,7 @@ module data_converter_350 (
     wire signed [15:0] y0_2;
     wire done_2;
     wire error_2;
-    and and_start_2 (start_2, begin_350, lines[2]);
+    and and_start_2 (start_2, begin_350, lines[1]);
     fig05_case2 converter_354 (
         .clk(clk), .start(start_2), .x0(x0), .y0(y0), .x1(x1), .y1(y1), .x3(x3), .y3(y3), .s0(s0),
         .x0_out(x0_2), .y0_out(y0_2), .j(j_2), .k(k_2), .l(l_2), .m(m_2), .done(done_2), .error(error_2)
@@ -69,7 +70,7 @@ module data_converter_350 (
     wire signed [15:0] y0_3;
     wire done_3;
     wire error_3;
-    and and_start_3 (start_3, begin_350, lines[3]);
+    and and_start_3 (start_3, begin_350, lines[2]);
     fig06_case3 converter_356 (
         .clk(clk), .start(start_3), .x0(x0), .y0(y0), .x1(x1), .y1(y1), .x3(x3), .y3(y3), .s1(s1),
         .x0_out(x0_3), .y0_out(y0_3), .j(j_3), .k(k_3), .l(l_3), .m(m_3), .done(done_3), .error(error_3)
@@ -84,7 +85,7 @@ module data_converter_350 (
     wire signed [15:0] y0_4;
     wire done_4;
     wire error_4;
-    and and_start_4 (start_4, begin_350, lines[4]);
+    and and_start_4 (start_4, begin_350, lines[3]);
     fig07_case4 converter_358 (
         .clk(clk), .start(start_4), .x0(x0), .y0(y0), .x1(x1), .y1(y1), .x3(x3), .y3(y3), .s3(s3),
         .x0_out(x0_4), .y0_out(y0_4), .j(j_4), .k(k_4), .l(l_4), .m(m_4), .done(done_4), .error(error_4)
@@ -99,7 +100,7 @@ module data_converter_350 (
     wire signed [15:0] y0_5;
     wire done_5;
     wire error_5;
-    and and_start_5 (start_5, begin_350, lines[5]);
+    and and_start_5 (start_5, begin_350, lines[4]);
     fig08_case5 converter_360 (
         .clk(clk), .start(start_5), .x0(x0), .y0(y0), .x1(x1), .y1(y1), .x2(x2), .y2(y2),
         .x0_out(x0_5), .y0_out(y0_5), .j(j_5), .k(k_5), .l(l_5), .m(m_5), .done(done_5), .error(error_5)

@@ -96,7 +96,7 @@ fn a_character_is_turned_and_mirrored_as_a_whole_with_its_moves() {
     let maps: [(&[(&str, i64)], fn([i64; 2]) -> [i64; 2]); 5] = [
         (&[("control_382", 1), ("control_450", 1)], |[x, y]| [-y, x]),
         (&[("control_382", 2), ("control_456", 1)], |[x, y]| [-x, y]),
-        (&[("control_382", 3), ("control_454", 1), ("control_462", 1)], |[x, y]| [x, -y].map(|word: i64| -word)),
+        (&[("control_382", 3), ("control_454", 1), ("control_462", 1)], |[x, y]| [x, -y]),
         (&[("control_382", 4), ("angle_410", 0x4000)], |[x, y]| [-y, x]),
         (&[("control_382", 16), ("offset_x_488", 900), ("offset_y_490", -7)], |[x, y]| [x + 900, y - 7]),
     ];
