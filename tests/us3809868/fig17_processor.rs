@@ -106,7 +106,8 @@ fn run(machine: &mut Machine, case: &Case, random: &mut Random) -> Outcome {
 
 /// What 514 gives goes back into the processor as it is, as in FIG. 17.
 fn lead_back(machine: &mut Machine) {
-    let words = [("done_366", "start_366"), ("k_366", "k"), ("m_366", "m")].map(|(to, from)| (to, machine.get_signed(from)));
+    let words =
+        [("done_366", "start_366"), ("k_366", "k"), ("m_366", "m")].map(|(to, from)| (to, machine.get_signed(from)));
     machine.set(&words);
 }
 
