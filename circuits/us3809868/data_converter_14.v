@@ -4,7 +4,8 @@
 // that the systems built on it share.
 //
 // From the text: the converter may contain all five cases, one of which is selected by the operator. `case_number`, 1 to
-// 5, selects it; an input that the case has no use for is ignored.
+// 5, selects it; an input that the case has no use for is ignored. They stand in data_converter_350, whose numerals are
+// those of FIG. 11.
 //
 // Chosen: `start` (one tick, with all inputs valid in that tick) begins the conversion. `launch` is high for one tick when
 // it has come to a good end: it starts the function generator, which gives `done_16` and `error_16` in turn. `busy` is

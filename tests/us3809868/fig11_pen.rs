@@ -91,7 +91,8 @@ fn a_character_is_turned_and_mirrored_as_a_whole_with_its_moves() {
     let straight = draw(&mut system(), &[&LETTER]);
     assert_eq!((straight.end, straight.error), ([79, 10], false));
     assert!(straight.drawn.iter().all(|(_, mark)| *mark));
-    let maps: [(&[(&str, i64)], fn([i64; 2]) -> [i64; 2]); 5] = [
+    let maps: [(&[(&str, i64)], fn([i64; 2]) -> [i64; 2]); 6] = [
+        (&[("control_382", 3), ("control_464", 1)], |point| point),
         (&[("control_382", 1), ("control_450", 1)], |[x, y]| [-y, x]),
         (&[("control_382", 2), ("control_456", 1)], |[x, y]| [-x, y]),
         (&[("control_382", 3), ("control_454", 1), ("control_462", 1)], |[x, y]| [x, -y]),
