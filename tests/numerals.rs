@@ -1,17 +1,15 @@
 //! Every numeral of FIG. 3 to 8, 11 to 17 and 20 of US 3,809,868 is the ending of an instance's or a net's name in its
 //! circuit.
 
-use std::collections::HashSet;
-
 use stepwright::simulation::Circuit;
 
 /// The names of all instances and nets of a circuit, those inside its modules included.
-fn names(circuit: &str) -> HashSet<String> {
+fn names(circuit: &str) -> Vec<String> {
     let circuit = Circuit::shipped(&format!("us3809868/{circuit}")).expect("the circuit");
     let netlist = circuit.elaborate(&[]).unwrap_or_else(|report| panic!("{report}"));
-    let cells = netlist.cells.iter().map(|cell| &cell.name);
-    let paths = cells.chain(netlist.nets.iter().map(|net| &net.name));
-    paths.flat_map(|path| path.split('.')).map(str::to_owned).collect()
+    let scopes = netlist.scopes.iter().map(|scope| scope.name.clone());
+    let cells = netlist.cells.iter().map(|cell| cell.name.clone());
+    scopes.chain(cells).chain(netlist.nets.iter().map(|net| net.name.clone())).collect()
 }
 
 fn assert_named(circuit: &str, numerals: impl IntoIterator<Item = u32>) {
