@@ -20,6 +20,9 @@ const LETTER: [(&str, i64); 5] =
 
 const LINES: [&str; 4] = ["up_304", "down_306", "up_314", "down_316"];
 
+/// What becomes of a point, seen from the initial one.
+type Map = fn([i64; 2]) -> [i64; 2];
+
 /// What was seen from a start to `done`.
 #[derive(Debug, PartialEq)]
 struct Seen {
@@ -91,7 +94,7 @@ fn a_character_is_turned_and_mirrored_as_a_whole_with_its_moves() {
     let straight = draw(&mut system(), &[&LETTER]);
     assert_eq!((straight.end, straight.error), ([79, 10], false));
     assert!(straight.drawn.iter().all(|(_, mark)| *mark));
-    let maps: [(&[(&str, i64)], fn([i64; 2]) -> [i64; 2]); 6] = [
+    let maps: [(&[(&str, i64)], Map); 6] = [
         (&[("control_382", 3), ("control_464", 1)], |point| point),
         (&[("control_382", 1), ("control_450", 1)], |[x, y]| [-y, x]),
         (&[("control_382", 2), ("control_456", 1)], |[x, y]| [-x, y]),

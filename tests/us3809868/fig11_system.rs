@@ -53,7 +53,7 @@ impl Job {
         job.give("control_382", switched as f64);
         job.give("quarters", quarters as f64);
         job.give("start", 1.0);
-        job.clip(number % 3 == 0, numbers);
+        job.clip(number.is_multiple_of(3), numbers);
         job.scale(switched & 8 != 0, numbers);
         job.map(switched & 1 != 0, TURNS[numbers.between(0.0, 3.0) as usize]);
         job.map(switched & 2 != 0, REFLECTIONS[numbers.between(0.0, 4.0) as usize]);
