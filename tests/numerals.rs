@@ -1,4 +1,4 @@
-//! Every numeral of FIG. 3 to 8, 12 to 17 and 20 of US 3,809,868 is the ending of an instance's or a net's name in its
+//! Every numeral of FIG. 3 to 8, 11 to 17 and 20 of US 3,809,868 is the ending of an instance's or a net's name in its
 //! circuit.
 
 use stepwright::simulation::Circuit;
@@ -7,8 +7,9 @@ use stepwright::simulation::Circuit;
 fn names(circuit: &str) -> Vec<String> {
     let circuit = Circuit::shipped(&format!("us3809868/{circuit}")).expect("the circuit");
     let netlist = circuit.elaborate(&[]).unwrap_or_else(|report| panic!("{report}"));
+    let scopes = netlist.scopes.iter().map(|scope| scope.name.clone());
     let cells = netlist.cells.iter().map(|cell| cell.name.clone());
-    cells.chain(netlist.nets.iter().map(|net| net.name.clone())).collect()
+    scopes.chain(cells).chain(netlist.nets.iter().map(|net| net.name.clone())).collect()
 }
 
 fn assert_named(circuit: &str, numerals: impl IntoIterator<Item = u32>) {
@@ -50,4 +51,9 @@ fn every_numeral_of_figures_12_to_15_and_20_is_a_name() {
 fn every_numeral_of_figures_16_and_17_is_a_name() {
     assert_named("fig16_clipping", [100, 109, 390, 392, 394, 396, 492, 494, 496, 498]);
     assert_named("fig17_characters", [449, 500, 502, 503, 504, 505, 506, 507, 508, 509, 510, 512, 514]);
+}
+
+#[test]
+fn every_numeral_of_figure_11_is_a_name() {
+    assert_named("fig11_system", (350..=406).step_by(2).filter(|&numeral| numeral != 398));
 }

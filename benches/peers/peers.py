@@ -30,7 +30,8 @@ MARKERS = ("<!-- numbers: written by benches/peers/peers.py --write -->", "<!-- 
 
 # Circuits that feed themselves: nothing comes in (inputs stay 0), a checksum goes out.
 INTERPOLATOR = "bench/self_feeding_interpolator"
-LARGEST = "bench/self_feeding_function_generator"
+GENERATOR = "bench/self_feeding_function_generator"
+LARGEST = "bench/self_feeding_system"
 
 # Ticks of one run, so that it takes about a second.
 TICKS = {
@@ -381,11 +382,13 @@ def main() -> None:
     WORK.mkdir(parents=True, exist_ok=True)
 
     stream = compare(INTERPOLATOR, arguments.repeat)
+    generator = compare(GENERATOR, arguments.repeat)
     largest = compare(LARGEST, arguments.repeat)
     one, two = sweep(1, arguments.repeat), sweep(2, arguments.repeat)
     many, ratio, load = growth(arguments.repeat)
     batch = [f"Batch of {INTERPOLATOR}: {one:.3g} Mticks/s on one core, {two:.3g} on two.", ""]
-    lines = machine() + table(INTERPOLATOR, stream) + batch + many + bar(stream, one, two, ratio, load) + table(LARGEST, largest)
+    lines = machine() + table(INTERPOLATOR, stream) + batch + many + bar(stream, one, two, ratio, load)
+    lines += table(GENERATOR, generator) + table(LARGEST, largest)
     text = "\n".join(lines)
     print(text)
     if arguments.write:

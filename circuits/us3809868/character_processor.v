@@ -18,6 +18,9 @@
 // - the registers 509 and 510 have a switch of three inputs: (x0, y0) at the start, a position, X(t) and Y(t) at a stop;
 // - positions are relative to (x0, y0), which is kept during the character: so a character can stand anywhere, and
 //   each move takes away what the rounding of the strokes before has added up to;
+// - between 514 and the registers the words may be transformed: FIG. 11 leads them through 366, FIG. 17 just leads them
+//   back. A position, which is a vector from the origin, goes that way as K and M of a stroke without J and L: so it is
+//   turned and mirrored as strokes are, and a character keeps together;
 // - X and Y are scaled as well ("may also be directed through 514"): the glyphs are stored on one expanded scale;
 // - x and y follow the generator during a stroke and show 509 and 510 otherwise;
 // - the check of everything that may be wrong, see fig17_characters.
@@ -35,6 +38,10 @@ module character_processor (
     input wire signed [15:0] word_3,
     input wire signed [15:0] word_4,
     input wire [2:0] count_502,             // how many of the five words are inside the memory
+    input wire done_366,                    // what 514 gave has been transformed, see below; FIG. 17: start_366
+    input wire error_366,
+    input wire signed [15:0] k_366,         // K and M that came of a position
+    input wire signed [15:0] m_366,
     input wire busy_512,                    // generator 512
     input wire stop_512,
     input wire error_512,
@@ -42,7 +49,8 @@ module character_processor (
     input wire signed [15:0] y_512,
     output wire begin_503,                  // a start is accepted
     output wire [15:0] address_504,
-    output wire start_512,                  // with j, k, l, m, x_509, y_510
+    output wire start_366,                  // j, k, l, m stand; high for one tick
+    output wire start_512,                  // with the stroke that came of them, x_509, y_510
     output wire signed [15:0] j,
     output wire signed [15:0] k,
     output wire signed [15:0] l,
@@ -59,8 +67,9 @@ module character_processor (
     // Clocking of the processor: one instruction after the other, each stroke until its stop signal.
     wire curve_505, position_505, exit_505;
     wire fetch, start_514, add, place, drawing, store, fault;
-    wire scaled_514, too_large_514, beyond_509, beyond_510, beyond;
+    wire scaled_514, too_large_514, too_large, beyond_509, beyond_510, beyond;
     or or_beyond (beyond, beyond_509, beyond_510);
+    or or_too_large (too_large, too_large_514, error_366);
     stroke_sequencer sequencer_503 (
         .clk(clk),
         .start(start),
@@ -68,8 +77,8 @@ module character_processor (
         .curve(curve_505),
         .position(position_505),
         .exit(exit_505),
-        .scaled(scaled_514),
-        .too_large(too_large_514),
+        .scaled(done_366),
+        .too_large(too_large),
         .beyond(beyond),
         .stop(stop_512),
         .failed(error_512),
@@ -110,11 +119,11 @@ module character_processor (
     register #(.WIDTH(16)) register_507_k (.clk(clk), .word(word_2), .enable(curve_506), .clear(1'b0), .q(k_507));
     register #(.WIDTH(16)) register_507_l (.clk(clk), .word(word_3), .enable(curve_506), .clear(1'b0), .q(l_507));
     register #(.WIDTH(16)) register_507_m (.clk(clk), .word(word_4), .enable(curve_506), .clear(1'b0), .q(m_507));
-    wire signed [15:0] j_or_x, k_or_y, l_or_0, m_or_0;
-    multiplexer #(.WIDTH(16)) gate_506_x (.a(other_506), .b(position_506), .x1(j_507), .x2(word_1), .z(j_or_x));
-    multiplexer #(.WIDTH(16)) gate_506_y (.a(other_506), .b(position_506), .x1(k_507), .x2(word_2), .z(k_or_y));
+    wire signed [15:0] j_or_0, k_or_x, l_or_0, m_or_y;
+    multiplexer #(.WIDTH(16)) gate_506_j (.a(other_506), .b(1'b0), .x1(j_507), .x2(16'd0), .z(j_or_0));
+    multiplexer #(.WIDTH(16)) gate_506_x (.a(other_506), .b(position_506), .x1(k_507), .x2(word_1), .z(k_or_x));
     multiplexer #(.WIDTH(16)) gate_506_l (.a(other_506), .b(1'b0), .x1(l_507), .x2(16'd0), .z(l_or_0));
-    multiplexer #(.WIDTH(16)) gate_506_m (.a(other_506), .b(1'b0), .x1(m_507), .x2(16'd0), .z(m_or_0));
+    multiplexer #(.WIDTH(16)) gate_506_y (.a(other_506), .b(position_506), .x1(m_507), .x2(word_2), .z(m_or_y));
 
     // 514: the reduction, by the factor that came with the start.
     (* fraction = 12 *) wire signed [15:0] factor_514;
@@ -126,10 +135,10 @@ module character_processor (
         .clk(clk),
         .start(start_514),
         .factor_471(factor_514),
-        .j(j_or_x),
-        .k(k_or_y),
+        .j(j_or_0),
+        .k(k_or_x),
         .l(l_or_0),
-        .m(m_or_0),
+        .m(m_or_y),
         .j_out(j),
         .k_out(k),
         .l_out(l),
@@ -137,6 +146,10 @@ module character_processor (
         .done(scaled_514),
         .error(too_large_514)
     );
+    wire before_514, new_514;
+    delay_element #(.DELAY(1)) delay_514 (.clk(clk), .pulse_in(scaled_514), .pulse_out(before_514), .active());
+    not not_before_514 (new_514, before_514);
+    and and_start_366 (start_366, scaled_514, new_514);
 
     // 509 and 510: X0 and Y0, from the start, from a position, or from where the last stroke ended.
     wire signed [15:0] origin_x, origin_y, position_x, position_y, new_509, new_510;
@@ -148,10 +161,10 @@ module character_processor (
         .clk(clk), .word(y0), .enable(begin_503), .clear(1'b0), .q(origin_y)
     );
     summer #(.A_WIDTH(16), .B_WIDTH(16), .WIDTH(16)) summer_origin_x (
-        .clk(clk), .strobe(add), .a(origin_x), .b(j), .sum(position_x), .overflow(beyond_509)
+        .clk(clk), .strobe(add), .a(origin_x), .b(k_366), .sum(position_x), .overflow(beyond_509)
     );
     summer #(.A_WIDTH(16), .B_WIDTH(16), .WIDTH(16)) summer_origin_y (
-        .clk(clk), .strobe(add), .a(origin_y), .b(k), .sum(position_y), .overflow(beyond_510)
+        .clk(clk), .strobe(add), .a(origin_y), .b(m_366), .sum(position_y), .overflow(beyond_510)
     );
     or or_load_509_510 (load_509_510, begin_503, place, store);
     data_switch #(.WIDTH(16)) switch_509 (

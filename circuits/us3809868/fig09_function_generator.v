@@ -52,6 +52,7 @@ module fig09_function_generator #(
         .quarters(quarters),
         .hold(1'b0),
         .inhibit(1'b0),
+        .fast(1'b0),
         .x(x),
         .y(y),
         .up_304(up_304),

@@ -88,6 +88,7 @@ module fig10_tool_control #(
         .quarters(quarters),
         .hold(hold_345),
         .inhibit(inhibit_329),
+        .fast(1'b0),
         .x(x),
         .y(y),
         .up_304(up_304),

@@ -68,7 +68,7 @@ module fig17_characters #(
         .count(count_502)
     );
 
-    wire start_512, busy_512, stop_512, error_512;
+    wire scaled, start_512, busy_512, stop_512, error_512;
     wire signed [15:0] j, k, l, m, x_509, y_510, x_512, y_512;
     character_processor processor_503 (
         .clk(clk),
@@ -84,6 +84,10 @@ module fig17_characters #(
         .word_3(word_3),
         .word_4(word_4),
         .count_502(count_502),
+        .done_366(scaled),
+        .error_366(1'b0),
+        .k_366(k),
+        .m_366(m),
         .busy_512(busy_512),
         .stop_512(stop_512),
         .error_512(error_512),
@@ -91,6 +95,7 @@ module fig17_characters #(
         .y_512(y_512),
         .begin_503(begin_503),
         .address_504(address_504),
+        .start_366(scaled),
         .start_512(start_512),
         .j(j),
         .k(k),

@@ -12,6 +12,8 @@
 // Chosen, where the patent is silent:
 //  - 640 and 642 are generators of FIG. 9; of 642 only the channel of X is used ("essentially a single channel"), L and
 //    M are 0. Both start in the same tick and keep step, so X, Y and Z are those of the same t;
+//  - `linked` = 1: the stroke begins where the pen is, X0, Y0, Z0 are ignored. A turned stroke need not end on a whole
+//    count, so who gives the coefficients of a linked figure does not know the initial points;
 //  - `start` (one tick, with all inputs valid in that tick) begins the rotation, and its end starts both generators.
 //    `busy` is high from the tick after the start to the end; a start meanwhile is ignored. `done` is high for one tick
 //    after that. `error` goes with it and stays until the next start: a word beyond 16 bits on the way, or a turned
@@ -39,6 +41,7 @@ module fig20_display #(
     input wire signed [15:0] x0,
     input wire signed [15:0] y0,
     input wire signed [15:0] z0,
+    input wire linked,
     input wire [2:0] quarters,
     output wire signed [15:0] x,
     output wire signed [15:0] y,
@@ -57,13 +60,21 @@ module fig20_display #(
     wire idle;
     wire begun;
     and and_begun (begun, start, idle);
+    wire free;
+    not not_linked (free, linked);
+    wire signed [15:0] first_x;
+    wire signed [15:0] first_y;
+    wire signed [15:0] first_z;
+    multiplexer #(.WIDTH(16)) multiplexer_x0 (.a(free), .b(linked), .x1(x0), .x2(x), .z(first_x));
+    multiplexer #(.WIDTH(16)) multiplexer_y0 (.a(free), .b(linked), .x1(y0), .x2(y), .z(first_y));
+    multiplexer #(.WIDTH(16)) multiplexer_z0 (.a(free), .b(linked), .x1(z0), .x2(z), .z(first_z));
     wire signed [15:0] held_x0;
     wire signed [15:0] held_y0;
     wire signed [15:0] held_z0;
     wire [2:0] held_quarters;
-    register #(.WIDTH(16)) register_x0 (.clk(clk), .word(x0), .enable(begun), .clear(1'b0), .q(held_x0));
-    register #(.WIDTH(16)) register_y0 (.clk(clk), .word(y0), .enable(begun), .clear(1'b0), .q(held_y0));
-    register #(.WIDTH(16)) register_z0 (.clk(clk), .word(z0), .enable(begun), .clear(1'b0), .q(held_z0));
+    register #(.WIDTH(16)) register_x0 (.clk(clk), .word(first_x), .enable(begun), .clear(1'b0), .q(held_x0));
+    register #(.WIDTH(16)) register_y0 (.clk(clk), .word(first_y), .enable(begun), .clear(1'b0), .q(held_y0));
+    register #(.WIDTH(16)) register_z0 (.clk(clk), .word(first_z), .enable(begun), .clear(1'b0), .q(held_z0));
     register #(.WIDTH(3)) register_quarters (
         .clk(clk), .word(quarters), .enable(begun), .clear(1'b0), .q(held_quarters)
     );

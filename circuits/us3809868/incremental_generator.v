@@ -58,6 +58,7 @@ module incremental_generator #(
     input wire [2:0] quarters,      // 1 to 4
     input wire hold,                // HOLD of clock 329: a pulse that is on stays on
     input wire inhibit,             // no clock pulse begins (claim 17)
+    input wire fast,                // full velocity: half a clock is two ticks, whatever HALF is (FIG. 16)
     output wire signed [15:0] x,    // counter 318
     output wire signed [15:0] y,    // counter 320
     output wire up_304,             // X pulses
@@ -109,6 +110,7 @@ module incremental_generator #(
         .run(busy),
         .hold(hold),
         .inhibit(inhibit),
+        .fast(fast),
         .phase_a(phase_a),
         .phase_b(phase_b),
         .trailing(trailing_329),

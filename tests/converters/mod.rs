@@ -1,6 +1,6 @@
 //! The data converters of US 3,809,868, FIG. 3 and 5 to 8, against the formulas in f64 and the vectors.
 
-mod arcs;
+pub mod arcs;
 mod as_printed;
 mod formulas;
 mod histogram;

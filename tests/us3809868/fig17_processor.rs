@@ -89,6 +89,7 @@ fn run(machine: &mut Machine, case: &Case, random: &mut Random) -> Outcome {
             return Outcome { orders, end, error: machine.get("error") == 1 };
         }
         show_memory(machine, case);
+        lead_back(machine);
         if machine.get("start_512") == 1 {
             assert_eq!(left, None, "a start while the generator is at work");
             orders.push(["j", "k", "l", "m", "x_509", "y_510"].map(|name| machine.get_signed(name)));
@@ -101,6 +102,13 @@ fn run(machine: &mut Machine, case: &Case, random: &mut Random) -> Outcome {
         }
     }
     panic!("no end: {case:?}");
+}
+
+/// What 514 gives goes back into the processor as it is, as in FIG. 17.
+fn lead_back(machine: &mut Machine) {
+    let words =
+        [("done_366", "start_366"), ("k_366", "k"), ("m_366", "m")].map(|(to, from)| (to, machine.get_signed(from)));
+    machine.set(&words);
 }
 
 fn show_memory(machine: &mut Machine, case: &Case) {

@@ -92,3 +92,22 @@ fn what_a_generator_would_refuse_is_an_error_and_nothing_is_drawn() {
     let beyond = [("j", 30_000), ("l", -30_000), ("order_616", 3), ("angle_636", 0x2000), ("quarters", 1)];
     assert_eq!(draw(&mut display, &beyond), None);
 }
+
+#[test]
+fn linked_edges_begin_where_the_pen_is_so_a_rectangle_in_space_closes() {
+    let mut display = Machine::new(&shipped_session("us3809868/fig20_display", SMALL, &[]));
+    let from = [5, -6, 7];
+    let turned = [("order_616", 0b01_11_10), ("angle_628", 9000), ("angle_632", -20_000 & 0xFFFF), ("angle_636", 777)];
+    let first = [("x0", 5), ("y0", -6), ("z0", 7), ("quarters", 1), ("k", 0), ("m", 0)];
+    let mut pen = draw(&mut display, &[&turned[..], &first].concat()).expect("small").pop();
+    assert_eq!(pen, Some(from));
+    for (k, m) in [(90, 0), (0, 61), (-90, 0), (0, -61)] {
+        let edge = draw(&mut display, &[("linked", 1), ("x0", 1000), ("y0", 999), ("z0", -1), ("k", k), ("m", m)]);
+        let edge = edge.expect("small");
+        assert_eq!(edge.first().copied(), pen, "no jump");
+        let end = edge.last().copied();
+        assert_ne!(end, pen);
+        pen = end;
+    }
+    assert_eq!(pen, Some(from));
+}

@@ -7,6 +7,8 @@ mod fig09_path;
 mod fig09_strokes;
 mod fig10_control;
 mod fig10_system;
+mod fig11_pen;
+mod fig11_system;
 mod fig12_rotation;
 mod fig13_quarter_turns;
 mod fig14_fig15;

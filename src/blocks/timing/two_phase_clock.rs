@@ -23,7 +23,8 @@ static DESCRIPTION: Description = Description {
           half begins with a pulse, on `phase_a` in the first and on `phase_b` in the second, and ends with one tick in \
           which both are low. So every pulse has edges of its own, and two pulses never touch. A tick with `hold` = 1 does \
           not count: a pulse that is on stays on until the hold is gone. While `inhibit` is 1 no half begins: the clock \
-          waits before the next pulse, with both phases low; a pulse that is on is not cut. `trailing` is 1 in the last tick of a \
+          waits before the next pulse, with both phases low; a pulse that is on is not cut. While `fast` is 1 a half takes \
+          two ticks, whatever HALF is; one that is under way is cut short behind its pulse. `trailing` is 1 in the last tick of a \
           pulse, `end_of_clock` in the last tick of the second half. While `run` is 0 the clock stands at the start of the \
           first half and both phases are low.",
     source: "US 3,809,868, FIG. 10, clock 329 with HOLD; two halves from the half-cycle delay of multiplier 327; the \
@@ -33,6 +34,7 @@ static DESCRIPTION: Description = Description {
         PortDescription::input("run", Width::BIT, "enables the clock"),
         PortDescription::input("hold", Width::BIT, "freezes it in a pulse-on state"),
         PortDescription::input("inhibit", Width::BIT, "no pulse begins"),
+        PortDescription::input("fast", Width::BIT, "the shortest halves"),
         PortDescription::output("phase_a", Width::BIT, "pulses of the first half, for the sine generator"),
         PortDescription::output("phase_b", Width::BIT, "pulses of the second half, for the cosine generator"),
         PortDescription::output("trailing", Width::BIT, "1 in the last tick of a pulse"),
@@ -42,7 +44,7 @@ static DESCRIPTION: Description = Description {
 };
 
 fn build(b: &mut Builder) {
-    let (run, hold, inhibit) = (b.input("run"), b.input("hold"), b.input("inhibit"));
+    let [run, hold, inhibit, fast] = ["run", "hold", "inhibit", "fast"].map(|input| b.input(input));
     let stopped = b.not(run);
     let half = u64::from(b.count("HALF"));
     let ticks = b.hold(clog2(half), 0);
@@ -54,11 +56,15 @@ fn build(b: &mut Builder) {
     let frozen = b.or(hold, waits);
     let free = b.not(frozen);
     let counts = b.and(run, free);
-    let (zero, one) = (b.constant(0, b.width(ticks.q)), b.constant(1, b.width(ticks.q)));
+    let in_pulse = b.not(off);
+    let cut = b.and(fast, in_pulse);
+    let ends = b.or(last_on, cut);
+    let [zero, one, gap] = [0, 1, half - 1].map(|tick| b.constant(tick, b.width(ticks.q)));
     let more = b.add(ticks.q, one);
-    let next = b.mux(off, zero, more);
+    let later = b.mux(ends, gap, more);
+    let next = b.mux(off, zero, later);
     b.load(ticks, next, counts, stopped);
-    let trailing = b.and(counts, last_on);
+    let trailing = b.and(counts, ends);
     b.output("trailing", trailing);
 
     let end_of_half = b.and(counts, off);
@@ -149,6 +155,23 @@ mod tests {
         assert_eq!(line(&mut bench, 2), "aa");
         bench.set("hold", 0);
         assert_eq!(line(&mut bench, 6), "aA----");
+    }
+
+    #[test]
+    fn fast_halves_are_two_ticks_and_a_pulse_under_way_is_cut_short_but_not_a_gap() {
+        // Where `fast` rises, and what is seen with it from there on.
+        for (before, expected) in [(0, "A-B|A-"), (1, "aA-B|A"), (3, "aaaA-B"), (4, "aaaA-B|"), (7, "aaaA-bbB|A")] {
+            let mut bench = running(5);
+            let mut seen = line(&mut bench, before);
+            bench.set("fast", 1);
+            seen += &line(&mut bench, expected.len() - seen.len());
+            assert_eq!(seen, expected, "{before}");
+        }
+        let mut bench = running(5);
+        bench.set("fast", 1);
+        assert_eq!(line(&mut bench, 1), "A");
+        bench.set("fast", 0);
+        assert_eq!(line(&mut bench, 6), "-bbbB|");
     }
 
     #[test]
