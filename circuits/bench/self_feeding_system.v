@@ -3,9 +3,10 @@
 // The system of US 3,809,868, FIG. 11, fed with stroke after stroke, for measuring: nothing comes from outside, and one
 // word at the end tells whether two simulators did the same.
 //
-// Pseudo-random words are drawn at every tick; whenever the system is at rest, those of that tick are the inputs of the next
-// stroke: points up to 512 counts from the origin, slopes below 4, any case, any subset of the transformations, clipped
-// or not. Many are refused, as such numbers have no solution; the next words are taken at once.
+// Pseudo-random words are drawn at every tick; whenever the system is at rest, those of that tick are the inputs of
+// the next stroke: points up to 512 counts from the origin, slopes below 4, any case, any subset of the
+// transformations, clipped or not. Many are refused, as such numbers have no solution; the next words are taken at
+// once.
 module self_feeding_system (
     input wire clk,
     output wire [31:0] checksum

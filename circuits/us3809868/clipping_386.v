@@ -1,13 +1,13 @@
 `default_nettype none
 
-// Switch 386 of US 3,809,868, FIG. 11, with clipping circuit 384 (FIG. 16) and its sources 390 to 396: under control 388
-// what generator 370 draws goes to the display through 384, or straight.
+// Switch 386 of US 3,809,868, FIG. 11, with clipping circuit 384 (FIG. 16) and its sources 390 to 396: under control
+// 388 what generator 370 draws goes to the display through 384, or straight.
 //
 // Erratum followed: the text lets the *parameters* go to 384; it needs X(t) and Y(t).
 //
-// Chosen: control and window are kept from `load` on, the tick of the start of a stroke or character; 386 passes or stops
-// the two outputs of 384, to mark inhibit 100 and to switch 109; `error` is high while 388 is 1 and the window has a
-// minimum above its maximum.
+// Chosen: control and window are kept from `load` on, the tick of the start of a stroke or character; 386 passes or
+// stops the two outputs of 384, to mark inhibit 100 and to switch 109; `error` is high while 388 is 1 and the window
+// has a minimum above its maximum.
 module clipping_386 (
     input wire clk,
     input wire load,

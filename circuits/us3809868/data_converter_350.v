@@ -1,11 +1,10 @@
 `default_nettype none
 
-// Data converter 350 of US 3,809,868, FIG. 11: converters 352, 354, 356, 358 and 360 for cases I to V, FIG. 3 and 5 to 8,
-// and switch 362 that selects one of them. Converter 14 of FIG. 1 has the same inside, as the text says.
+// Data converter 350 of US 3,809,868, FIG. 11: converters 352, 354, 356, 358 and 360 for cases I to V, FIG. 3 and 5 to
+// 8, and switch 362 that selects one of them. Converter 14 of FIG. 1 has the same inside, as the text says.
 //
-// `lines` has a bit for each case, case I lowest: it starts that converter together with `begin_350`. Likewise `lines_held`
-// selects whose results come out.
-// `done` and `error` are those of the selected converter.
+// `lines` has a bit for each case, case I lowest: it starts that converter together with `begin_350`. Likewise
+// `lines_held` selects whose results come out. `done` and `error` are those of the selected converter.
 module data_converter_350 (
     input wire clk,
     input wire begin_350,

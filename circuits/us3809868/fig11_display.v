@@ -1,7 +1,8 @@
 `default_nettype none
 
-// The extended system of US 3,809,868, FIG. 11, with FIG. 4 as function generator 370, whose mark inhibit 100 and switch
-// 109 are those that FIG. 16 names: outside of the window the mark is off and the point hurries at full velocity.
+// The extended system of US 3,809,868, FIG. 11, with FIG. 4 as function generator 370, whose mark inhibit 100 and
+// switch 109 are those that FIG. 16 names: outside of the window the mark is off and the point hurries at full
+// velocity.
 //
 // All up to the generator stands in fig11_strokes, switch 386 with clipping 384 in clipping_386.
 //

@@ -14,8 +14,8 @@
 // when the one before has stopped. Offset 380 moves the character's origin, and with it all that follows.
 //
 // Chosen, where the patent is silent:
-// - `start` (one tick, with all inputs valid in that tick) begins; all inputs are kept. `busy` is high from the tick after
-//   it to the end; a start meanwhile is ignored. `done` is high for one tick after the end;
+// - `start` (one tick, with all inputs valid in that tick) begins; all inputs are kept. `busy` is high from the tick
+//   after it to the end; a start meanwhile is ignored. `done` is high for one tick after the end;
 // - `error` goes with `done` and stays until the next start: case_364 is none of 1 to 6, the data have no solution,
 //   controls of FIG. 13 that make no sense, a word that leaves its 16 bits, an unknown character, error_384 (the window
 //   makes no sense), or the generator refuses a coefficient or `quarters`: then nothing is drawn. X or Y carried beyond
@@ -214,16 +214,16 @@ module fig11_strokes #(
     delay_element #(.DELAY(1)) delay_done (.clk(clk), .pulse_in(finished), .pulse_out(done), .active());
 endmodule
 
-// Character and symbol processor 400 of US 3,809,868, FIG. 11: a code calls the strokes of a character from a memory, one
-// after the other. It is FIG. 17 without its generator 512.
+// Character and symbol processor 400 of US 3,809,868, FIG. 11: a code calls the strokes of a character from a memory,
+// one after the other. It is FIG. 17 without its generator 512.
 //
 // What FIG. 11 and 17 call the same: 402, random access memory, is memory 449, which is written with the code of each
-// character; 404, read only memory, is pointer table 500 and instruction memory 502; 406, the control, is processor 503
-// with all its registers (control_406; see character_processor, where the ports, too, are explained). Chosen, as the text
-// leaves it open: the instruction sets are all in 404, whose image is a file (docs/characters.md).
+// character; 404, read only memory, is pointer table 500 and instruction memory 502; 406, the control, is processor
+// 503 with all its registers (control_406; see character_processor, where the ports, too, are explained). Chosen, as
+// the text leaves it open: the instruction sets are all in 404, whose image is a file (docs/characters.md).
 //
-// Each stroke goes out as start_366 with j to m, scaled by 514, and comes back transformed with done_366; then start_370
-// asks for it to be drawn from x_509, y_510, and stop_370 ends it.
+// Each stroke goes out as start_366 with j to m, scaled by 514, and comes back transformed with done_366; then
+// start_370 asks for it to be drawn from x_509, y_510, and stop_370 ends it.
 module character_store_400 #(
     parameter IMAGE = "letters"     // name of the memory image
 ) (

@@ -1,14 +1,14 @@
 `default_nettype none
 
-// The extended system of US 3,809,868, FIG. 11, with FIG. 9 as function generator 370: points and slopes, or characters,
-// in; transformed and clipped strokes out, as X(t), Y(t) and pulses.
+// The extended system of US 3,809,868, FIG. 11, with FIG. 9 as function generator 370: points and slopes, or
+// characters, in; transformed and clipped strokes out, as X(t), Y(t) and pulses.
 //
-// All up to the generator stands in fig11_strokes, which tells what the controls do and what was chosen; switch 386 with
-// clipping 384 stands in clipping_386. docs/system.md has a table of all controls. The display is outside.
+// All up to the generator stands in fig11_strokes, which tells what the controls do and what was chosen; switch 386
+// with clipping 384 stands in clipping_386. docs/system.md has a table of all controls. The display is outside.
 //
 // Chosen: FIG. 9 has no switch 109 and no velocity control of its own. Here clock 329 runs at the display's pace, HALF
-// ticks for each half; while 384 finds the point outside of the window, the clock is fast, two ticks for each half. So the
-// pulses are the same, one by one, and the ticks spent outside are HALF/2 times fewer.
+// ticks for each half; while 384 finds the point outside of the window, the clock is fast, two ticks for each half. So
+// the pulses are the same, one by one, and the ticks spent outside are HALF/2 times fewer.
 module fig11_system #(
     parameter WIDTH = 12,           // these three as in fig09_function_generator
     parameter ENTRIES = 128,

@@ -1,10 +1,10 @@
 `default_nettype none
 
-// The extended system of US 3,809,868, FIG. 11, before a tool: function generator 370 is that of FIG. 10 with the control
-// of its velocity, and motors 328a and 328b move tool 328c step by step.
+// The extended system of US 3,809,868, FIG. 11, before a tool: function generator 370 is that of FIG. 10 with the
+// control of its velocity, and motors 328a and 328b move tool 328c step by step.
 //
-// All up to the generator stands in fig11_strokes, switch 386 with clipping 384 in clipping_386. `mark` is for the tool:
-// up while it is 0.
+// All up to the generator stands in fig11_strokes, switch 386 with clipping 384 in clipping_386. `mark` is for the
+// tool: up while it is 0.
 //
 // Chosen: MODE, `delay` and the rest as in fig10_tool_control, with intervals by MODE 1 or 4 from `delay` and the
 // defaults otherwise. Outside of the window the tool is not hurried: 341 and 342 protect it there as well. It is set to

@@ -1,13 +1,13 @@
 `default_nettype none
 
-// Transformation processor 366 of US 3,809,868, FIG. 11: sends J, K, L, M and X0, Y0 through any of five transformations,
-// and past the others, straight to the function generator.
+// Transformation processor 366 of US 3,809,868, FIG. 11: sends J, K, L, M and X0, Y0 through any of five
+// transformations, and past the others, straight to the function generator.
 //
 //   j k l m --> 378 scaling --> 372 quarter turns --> 374 reflections --> 376 rotation --> 370
 //   x0 y0   --> 380 offset  --> 370
 //
-// Switches 368 are one for each transformation, thrown by a bit of control 382: bit 0 lets 372 act, 1 374, 2 376, 3 378,
-// 4 380. What is not switched in is passed by, its controls do not matter.
+// Switches 368 are one for each transformation, thrown by a bit of control 382: bit 0 lets 372 act, 1 374, 2 376, 3
+// 378, 4 380. What is not switched in is passed by, its controls do not matter.
 //
 // From the text: 372 to 380 are "quarter turn rotations or reflections, generalized rotation, scaling, or offset", five
 // numerals for five functions in that order. Each is the circuit of its figure: 372 and 374 FIG. 13, 376 FIG. 12, 378
@@ -15,8 +15,9 @@
 //
 // Chosen, where the patent is silent:
 // - the order, and that any of the five may act on one stroke;
-// - 372 has the controls 450 (a quarter turn), 452 (a half), 454 (three quarters) of FIG. 13, 374 has 456 to 462. Control
-//   464 passes the stroke through either. Switched in, each needs just one of its own controls or 464, otherwise `error`;
+// - 372 has the controls 450 (a quarter turn), 452 (a half), 454 (three quarters) of FIG. 13, 374 has 456 to 462.
+//   Control 464 passes the stroke through either. Switched in, each needs just one of its own controls or 464,
+//   otherwise `error`;
 // - `start` (one tick, with j to m; the controls stay as they are until `finished`): `finished` is high for a tick when
 //   the result stands, ten ticks later, and it stays until the next start. `error` goes with it, J to M are then 0;
 // - 380 follows x0, y0 one tick later, by itself, as in FIG. 15: `error_380`.
