@@ -140,7 +140,7 @@ pub struct Diff {
 /// read once more around the first difference.
 ///
 /// # Errors
-/// Those of [`super::read`], and `W021` when there is no net to look at them by.
+/// Those of [`super::read()`], and `W021` when there is no net to look at them by.
 pub fn diff(expected: &Input, got: &Input, how: &How) -> Result<Diff, Report> {
     Ok(diffed([expected, got], how)?.0)
 }

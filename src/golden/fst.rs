@@ -49,7 +49,7 @@ impl FstSource {
     /// Reads the declarations; `name` is what messages call the file.
     ///
     /// # Errors
-    /// `W012`, `W015`, `W016`, `W019`, `W020`, as [`super::read`].
+    /// `W012`, `W015`, `W016`, `W019`, `W020`, as [`super::read()`].
     pub fn open(name: &str, mut input: impl BufRead + Seek + Send + 'static) -> Result<Self, Report> {
         let called = name.to_owned();
         fst_blocks::check(&mut input).map_err(|why| broken(name, &why))?;

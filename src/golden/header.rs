@@ -20,7 +20,7 @@ impl<R: Read> Header<R> {
     /// The declarations, and where the values begin.
     ///
     /// # Errors
-    /// As [`super::read`].
+    /// As [`super::read()`].
     pub fn read(name: &str, input: R) -> Result<(Tokens<R>, Declared, Codes), Report> {
         let mut header = Self {
             tokens: Tokens::new(input),

@@ -46,6 +46,19 @@ fn a_file_in_the_manner_of_icarus_is_read_with_aliases_scopes_ranges_and_widenin
 }
 
 #[test]
+fn a_file_that_cannot_be_read_to_its_end_is_no_waveform() {
+    struct Torn;
+    impl std::io::Read for Torn {
+        fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+            Err(std::io::Error::other("the disk is gone"))
+        }
+    }
+    let torn = std::io::BufReader::new(std::io::Read::chain(GOOD.as_bytes(), Torn));
+    let message = read("a.vcd", torn).map_or_else(|report| report.to_string(), |_| String::new());
+    assert!(message.contains("W017") && message.contains("the disk is gone"), "{message}");
+}
+
+#[test]
 fn what_stands_below_a_scope_is_named_from_there() {
     let wave = read("a.vcd", GOOD.as_bytes()).unwrap().below("bench.dut");
     assert_eq!(wave.names().collect::<Vec<_>>(), ["clk", "count", "gen[0].q+", "gen[0].bit[2]"]);

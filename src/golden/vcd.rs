@@ -32,7 +32,7 @@ impl<R: Read> VcdSource<R> {
     /// Reads the declarations; `name` is what messages call the file.
     ///
     /// # Errors
-    /// `W010` to `W012`, `W015` to `W017`, `W019`, as [`super::read`].
+    /// `W010` to `W012`, `W015` to `W017`, `W019`, as [`super::read()`].
     pub fn open(name: &str, input: R) -> Result<Self, Report> {
         let (tokens, declared, codes) = Header::read(name, input)?;
         let wrong = Wrong::new(name);

@@ -285,4 +285,14 @@ mod tests {
         let text = table_of(rows(&["n"], &["step"]).after(2), &signals, &ticks).unwrap();
         assert_eq!(text, "tick  n\n   2  1\n   3  2\n");
     }
+
+    #[test]
+    fn a_table_of_too_many_rows_says_how_to_have_them() {
+        let mut table = Table::new(rows(&["n"], &[]));
+        table.begin(&[signal("n", 8, false, None)]).unwrap();
+        let mut tick = |tick| table.tick(Frame { tick, words: &[1], before: None });
+        (0..MOST_ROWS as u64).for_each(|at| tick(at).unwrap());
+        let report = tick(MOST_ROWS as u64).unwrap_err().to_string();
+        assert!(report.contains("W006") && report.contains("--csv"), "{report}");
+    }
 }

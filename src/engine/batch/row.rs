@@ -21,7 +21,7 @@ pub struct Row<'a> {
     pub pulses: &'a [u64],
 }
 
-/// Draws stimuli: changes the words of the inputs at tick 0, which are [`Stimulus::initial`] at first, and returns
+/// Draws stimuli: changes the words of the inputs at tick 0, which are [`crate::base::Stimulus::initial`] at first, and returns
 /// `true`, or returns `false` when there are no more. Each word must fit its input.
 pub trait Feed: FnMut(&mut [u64]) -> bool + Send {}
 impl<T: FnMut(&mut [u64]) -> bool + Send> Feed for T {}
