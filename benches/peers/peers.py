@@ -166,7 +166,7 @@ def verilator(design: Design, trace: str) -> Variant:
     parts = traced if trace else dict.fromkeys(traced, "")
     (folder / "main.cpp").write_text(VERILATOR_MAIN.format(top=design.top, **parts))
     options = {"": [], "vcd": ["--trace"], "fst": ["--trace-fst"]}[trace]
-    build = ["verilator", "--cc", "--exe", "--build", "-O3", "-CFLAGS", "-O3", "-Wno-fatal", "--top-module", design.top]
+    build = ["verilator", "--language", "1364-2005", "--cc", "--exe", "--build", "-O3", "-CFLAGS", "-O3", "-Wno-fatal", "--top-module", design.top]
     build += [*options, "--Mdir", folder / "obj", "main.cpp", *design.files]
     _, cpu, _ = run(build, cwd=folder)
     binary, dump = folder / "obj" / f"V{design.top}", folder / f"dump.{trace}"
