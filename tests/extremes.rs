@@ -9,7 +9,7 @@ use stepwright::simulation::{Batch, Design, EngineKind, Session, shipped};
 /// All words of a short input; of a longer one the ends of its range, and the longest coefficient that a multiplier of
 /// the circuit's WIDTH takes, because it may refuse longer ones at once.
 fn edges(design: &Design, port: &Port) -> Vec<u64> {
-    let width = design.netlist().parameters.iter().find(|(name, _)| name == "WIDTH").map_or(12, |(_, bits)| *bits);
+    let width = design.netlist().parameters.iter().find(|one| one.name == "WIDTH").map_or(12, |one| one.value);
     let (low, high) = word::range(port.width, port.signed);
     let values = if port.width < 4 { (low..=high).collect() } else { vec![low, high, (1 << width) - 1] };
     values.into_iter().filter_map(|value| word::encode(value, port.width, port.signed)).collect()

@@ -33,6 +33,7 @@ mod outputs;
 mod outside;
 /// Pages that say what the code does.
 mod pages;
+mod ranges;
 mod simulation;
 /// The linear interpolator of SU 1522157 and its multiplexer.
 mod su1522157;

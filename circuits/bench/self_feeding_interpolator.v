@@ -6,6 +6,7 @@
 // A pseudo-random word is drawn at every tick; whenever the interpolator is at rest, the word of that tick starts the
 // next frame. Both operands are 0 to 255. The three step outputs and `busy` are folded into the checksum, and so is
 // `link`, by which many of these can be chained so that one checksum tells of all; one alone has it 0.
+(* WIDTH_min = 9, WIDTH_max = 48, SEED_min = 1, SEED_max = 2147483647 *)
 module self_feeding_interpolator #(
     parameter WIDTH = 12, // bits of a projection
     parameter SEED = 1    // of the pseudo-random words

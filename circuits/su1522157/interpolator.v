@@ -29,7 +29,9 @@
 //   sign of zero is 0. MINUS_ZERO = 0 follows the text; 1 is the end-around carry to the letter, and takes some tied
 //   steps in the other order.
 // - A start pulse while `busy` is high disturbs the frame under way.
-(* MINUS_ZERO_min = 0, MINUS_ZERO_max = 1 *)
+(* WIDTH_min = 1, WIDTH_max = 48, CLOCK_PERIOD_min = 1, CLOCK_PERIOD_max = 65536,
+   TAP_SPACING_min = 1, TAP_SPACING_max = 64, DELAY_13_min = 1, DELAY_13_max = 1024,
+   DELAY_22_min = 1, DELAY_22_max = 1024, MINUS_ZERO_min = 0, MINUS_ZERO_max = 1 *)
 module interpolator #(
     parameter WIDTH = 12,       // bits of a projection
     parameter CLOCK_PERIOD = 4, // ticks from one strobe of generator 15 to the next (chosen; the patent has no times)

@@ -10,6 +10,7 @@
 //
 // The drawing is lost; the gates follow from the table (chosen). With A = B = 1, which the table leaves out, they give
 // the or of both words. The block `multiplexer`, which the interpolator uses, does the same.
+(* WIDTH_min = 1, WIDTH_max = 64 *)
 module multiplexer_21 #(
     parameter WIDTH = 4 // digits
 ) (

@@ -13,6 +13,7 @@
 //
 // From the text: "a digital differential analyzer 338 of standard design", vector acceleration out. Chosen: the loops,
 // their time, the same for both, and that x runs with the ticks (dx is always 1).
+(* BITS_min = 2, BITS_max = 30 *)
 module analyzer_338 #(
     parameter BITS = 10                             // its time is 2^BITS ticks; 2 to 30
 ) (

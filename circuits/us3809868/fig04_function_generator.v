@@ -33,6 +33,7 @@
 //    next stroke may begin there.
 `default_nettype none
 
+(* PIECE_BITS_min = 0, PIECE_BITS_max = 7, VELOCITY_BITS_min = 4, VELOCITY_BITS_max = 40 *)
 module fig04_function_generator #(
     parameter PIECE_BITS = 4,       // straight pieces a quarter: 2^PIECE_BITS
     parameter VELOCITY_BITS = 26    // reference of 102: 2^VELOCITY_BITS / 2^28 counts a tick

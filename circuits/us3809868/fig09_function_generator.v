@@ -9,7 +9,8 @@
 //   the start is refused, X and Y stay, a stroke under way goes on unharmed;
 // - X or Y carried beyond 16 bits.
 // It stays high until the next start that is accepted.
-(* GUARD_min = 0, GUARD_max = 3 *)
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16,
+   GUARD_min = 0, GUARD_max = 3 *)
 module fig09_function_generator #(
     parameter WIDTH = 12,       // bits of the multipliers
     parameter ENTRIES = 128,    // words of the tables

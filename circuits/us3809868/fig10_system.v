@@ -13,6 +13,12 @@
 // a step for each pulse; tool 328c has no block of its own, it is where its motors are: x_328c, y_328c. It is set to
 // (X0, Y0) when the generator starts, as counters 318 and 320 are; how it gets there is not part of the figure. `start`,
 // `busy`, `done` and `error` are those of data_converter_14.
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16,
+   GUARD_min = 0, GUARD_max = 3, HALF_min = 2, HALF_max = 1024, MODE_min = 0, MODE_max = 4,
+   WINDOW_min = 3, WINDOW_max = 16384, MIN_DELAY_min = 0, MIN_DELAY_max = 255,
+   MAX_DELAY_min = 0, MAX_DELAY_max = 255, STEP_min = 1, STEP_max = 64, BLOCK_BITS_min = 0, BLOCK_BITS_max = 24,
+   ENDS_min = 0, ENDS_max = 255, MIDDLE_min = 0, MIDDLE_max = 255, RAMP_min = 0, RAMP_max = 4096,
+   BLOCKS_min = 1, BLOCKS_max = 4096 *)
 module fig10_system #(
     parameter WIDTH = 12,         // these as in fig10_tool_control
     parameter ENTRIES = 128,

@@ -22,7 +22,12 @@
 // regulator_341_342; that 343 and 344 also act in the second half of the clock, because
 // otherwise the pulses of multiplier 327 would escape them. Erratum followed: the pulses "from multipliers 325 and
 // 329" are those of 325 and 327.
-(* MODE_min = 0, MODE_max = 4, GUARD_min = 0, GUARD_max = 3 *)
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16,
+   GUARD_min = 0, GUARD_max = 3, HALF_min = 2, HALF_max = 1024, MODE_min = 0, MODE_max = 4,
+   WINDOW_min = 3, WINDOW_max = 16384, MIN_DELAY_min = 0, MIN_DELAY_max = 255,
+   MAX_DELAY_min = 0, MAX_DELAY_max = 255, STEP_min = 1, STEP_max = 64, BLOCK_BITS_min = 0, BLOCK_BITS_max = 24,
+   ENDS_min = 0, ENDS_max = 255, MIDDLE_min = 0, MIDDLE_max = 255, RAMP_min = 0, RAMP_max = 4096,
+   BLOCKS_min = 1, BLOCKS_max = 4096 *)
 module fig10_tool_control #(
     parameter WIDTH = 12,         // as in incremental_generator
     parameter ENTRIES = 128,

@@ -8,6 +8,7 @@
 //
 // Chosen: x, y and mark go to the display a tick late. So they show the end of a stroke in the tick of `done`, which
 // comes a tick after that of the generator.
+(* PIECE_BITS_min = 0, PIECE_BITS_max = 7, VELOCITY_BITS_min = 4, VELOCITY_BITS_max = 40 *)
 module fig11_display #(
     parameter PIECE_BITS = 4,       // these two as in fig04_function_generator
     parameter VELOCITY_BITS = 26,

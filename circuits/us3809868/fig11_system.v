@@ -9,6 +9,8 @@
 // Chosen: FIG. 9 has no switch 109 and no velocity control of its own. Here clock 329 runs at the display's pace, HALF
 // ticks for each half; while 384 finds the point outside of the window, the clock is fast, two ticks for each half. So
 // the pulses are the same, one by one, and the ticks spent outside are HALF/2 times fewer.
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16,
+   HALF_min = 2, HALF_max = 1024 *)
 module fig11_system #(
     parameter WIDTH = 12,           // these three as in fig09_function_generator
     parameter ENTRIES = 128,

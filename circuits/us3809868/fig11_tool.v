@@ -9,6 +9,8 @@
 // Chosen: MODE, `delay` and the rest as in fig10_tool_control, with intervals by MODE 1 or 4 from `delay` and the
 // defaults otherwise. Outside of the window the tool is not hurried: 341 and 342 protect it there as well. It is set to
 // the first point of each stroke, or character, as in fig10_system.
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16,
+   MODE_min = 0, MODE_max = 4 *)
 module fig11_tool #(
     parameter WIDTH = 12,           // these three as in fig09_function_generator
     parameter ENTRIES = 128,

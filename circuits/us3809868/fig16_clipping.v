@@ -10,6 +10,7 @@
 //
 // With a minimum above its maximum nothing is inside, so that nothing is drawn wrongly, and `error` is high as long as
 // it is so (chosen; the comparators for that have no numeral).
+(* WIDTH_min = 1, WIDTH_max = 64 *)
 module fig16_clipping #(
     parameter WIDTH = 16        // bits of all words
 ) (

@@ -24,6 +24,8 @@
 //
 // From the text: 449, 500, 502 to 510, 512, 514. Slips mended: "multiplexer 510" is 504, "generator 506" is 512. The
 // rest of what was chosen stands in character_processor.
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16,
+   GUARD_min = 0, GUARD_max = 3 *)
 module fig17_characters #(
     parameter IMAGE = "letters",    // name of the memory image
     parameter WIDTH = 12,           // generator 512, see fig09_function_generator

@@ -21,6 +21,7 @@
 //    beyond 16 bits is told in the same way, at the end.
 `default_nettype none
 
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16 *)
 module fig20_display #(
     parameter WIDTH = 12,       // of the generators, see fig09_function_generator
     parameter ENTRIES = 128,

@@ -38,7 +38,8 @@
 // count-up table is damaged in print (row 1 reads like row 4) and restored from the signs of d(cos) and d(sin).
 // Outside: converters 322 and 324 and display 326, which would show X and Y (here they stay numbers), and the incremental
 // device 328 on the four lines (see fig10_system).
-(* GUARD_min = 0, GUARD_max = 3 *)
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16,
+   GUARD_min = 0, GUARD_max = 3, HALF_min = 2, HALF_max = 1024 *)
 module incremental_generator #(
     parameter WIDTH = 12,       // bits of multipliers 262 to 270
     parameter ENTRIES = 128,    // words of tables 333 and 334, a power of two

@@ -77,7 +77,7 @@ pub(super) fn inputs() -> ArgValueCompleter {
 
 /// Its parameters, as `NAME=`.
 pub(super) fn parameters() -> ArgValueCompleter {
-    of_target(|design| design.netlist().parameters.iter().map(|(name, _)| format!("{name}=")).collect())
+    of_target(|design| design.netlist().parameters.iter().map(|one| format!("{}=", one.name)).collect())
 }
 
 /// Its nets and what can be seen in its blocks; with `!` before them where that was typed.

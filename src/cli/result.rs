@@ -83,7 +83,7 @@ fn object(design: &Design, observers: &Observers, outcome: &Outcome) -> Value {
         Value::Object(all.collect())
     };
     let parameters: Map<_, _> =
-        design.netlist().parameters.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
+        design.netlist().parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
     let mut object = json!({
         "circuit": design.circuit().name(),
         "parameters": parameters,

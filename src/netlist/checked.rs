@@ -40,13 +40,26 @@ pub struct Netlist {
     /// Blocks and gates, in the order of the text.
     pub cells: Vec<Cell>,
     /// Parameters of the top module, with the values in force.
-    pub parameters: Vec<(String, i64)>,
+    pub parameters: Vec<TopParameter>,
     /// Those of them that were given and not left at their defaults.
     pub given: Vec<(String, i64)>,
     /// Input nets of the top module in order of its header, without the clock.
     pub inputs: Vec<NetId>,
     /// Output nets of the top module in order of its header.
     pub outputs: Vec<NetId>,
+}
+
+/// A parameter of the top module.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct TopParameter {
+    /// Its name.
+    pub name: String,
+    /// The value in force.
+    pub value: i64,
+    /// The least value that its module states.
+    pub least: Option<i64>,
+    /// The greatest value that its module states.
+    pub most: Option<i64>,
 }
 
 /// A module instance, or a turn of a generate loop in one.

@@ -23,7 +23,9 @@ mod limits;
 mod load;
 mod syntax;
 
-pub use checked::{Cell, CellId, CellKind, Drive, Net, NetId, Netlist, Part, PortOf, Scope, ScopeId, Source};
+pub use checked::{
+    Cell, CellId, CellKind, Drive, Net, NetId, Netlist, Part, PortOf, Scope, ScopeId, Source, TopParameter,
+};
 pub use load::load;
 
 use std::sync::Arc;

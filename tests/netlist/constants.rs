@@ -1,5 +1,6 @@
 //! Constant expressions, against the values that Icarus Verilog 12 gives them.
 
+use super::values;
 use crate::support::load_text;
 
 /// Expression and value, as printed by `iverilog -g2005` for a localparam of that value.
@@ -84,7 +85,7 @@ const VALUES: &[(&str, i64)] = &[
 
 fn value_of(expression: &str) -> Option<i64> {
     let text = format!("module t #(parameter P = {expression}) (output wire y); assign y = 1'b0; endmodule");
-    load_text(&text).ok().map(|netlist| netlist.parameters[0].1)
+    load_text(&text).ok().map(|netlist| netlist.parameters[0].value)
 }
 
 #[test]
@@ -106,7 +107,7 @@ fn a_declared_range_gives_its_width_to_the_whole_expression() {
     let text = "module t #(parameter [47:0] P = 1 << 40, parameter signed [7:0] N = -1, parameter integer I = 7)
         (output wire y); assign y = P[40]; endmodule";
     let netlist = load_text(text).unwrap_or_else(|report| panic!("{report}"));
-    assert_eq!(netlist.parameters, [("P".into(), 1 << 40), ("N".into(), -1), ("I".into(), 7)]);
+    assert_eq!(values(&netlist), [("P".into(), 1 << 40), ("N".into(), -1), ("I".into(), 7)]);
 }
 
 #[test]
@@ -115,7 +116,7 @@ fn a_sign_without_a_range_takes_the_width_of_the_value_and_its_bits_as_signed() 
     let text = "module t #(parameter signed P = 4'd8, parameter signed Q = 8'd200, parameter signed R = 8'd100)
         (output wire [7:0] y); localparam signed L = 4'd8; assign y = {P, L}; wire below = P + L < 0; endmodule";
     let netlist = load_text(text).unwrap_or_else(|report| panic!("{report}"));
-    assert_eq!(netlist.parameters, [("P".into(), -8), ("Q".into(), -56), ("R".into(), 100)]);
+    assert_eq!(values(&netlist), [("P".into(), -8), ("Q".into(), -56), ("R".into(), 100)]);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use stepwright::base::{Diagnostic, Report};
 use stepwright::blocks::Direction;
 use stepwright::netlist::{Library, Netlist, load};
 
-use super::{codes, good, read_by, roots};
+use super::{codes, good, read_by, roots, values};
 
 /// A module with the 8-bit input `a`, the 8-bit output `y`, and this inside.
 fn routed(inside: &str) -> String {
@@ -65,7 +65,7 @@ fn a_header_declares_parameters_ports_signs_and_several_names_at_once() {
         ("y", 1, false, None),
     ];
     assert_eq!(ports.collect::<Vec<_>>(), expected);
-    assert_eq!(netlist.parameters, [("WIDTH".into(), 12), ("N".into(), 3), ("HALF".into(), 3)]);
+    assert_eq!(values(&netlist), [("WIDTH".into(), 12), ("N".into(), 3), ("HALF".into(), 3)]);
     let names = |ids: &[stepwright::netlist::NetId]| {
         ids.iter().map(|id| netlist.nets[id.index()].name.clone()).collect::<Vec<_>>()
     };
@@ -241,9 +241,9 @@ fn parameters_from_outside_replace_defaults_and_unknown_ones_are_refused_with_th
     let text = "module t #(parameter WIDTH = 4) (input wire [WIDTH-1:0] a, output wire y);
         parameter DEPTH = 2 * WIDTH; assign y = a[WIDTH-1]; endmodule";
     let netlist = load_with("t.v", text, None, &[("WIDTH", 7)]).unwrap_or_else(|report| panic!("{report}"));
-    assert_eq!(netlist.parameters, [("WIDTH".into(), 7), ("DEPTH".into(), 14)]);
+    assert_eq!(values(&netlist), [("WIDTH".into(), 7), ("DEPTH".into(), 14)]);
     let netlist = load_with("t.v", text, None, &[("DEPTH", 1)]).unwrap_or_else(|report| panic!("{report}"));
-    assert_eq!(netlist.parameters, [("WIDTH".into(), 4), ("DEPTH".into(), 1)]);
+    assert_eq!(values(&netlist), [("WIDTH".into(), 4), ("DEPTH".into(), 1)]);
     let report = load_with("t.v", text, None, &[("WIDHT", 7)]).expect_err("no such parameter");
     assert_eq!(report.diagnostics[0].code, "N014");
     assert!(report.to_string().contains("did you mean `WIDTH`?"), "{report}");

@@ -20,6 +20,11 @@ fn codes(text: &str) -> Vec<&'static str> {
     load_text(text).expect_err("an error").diagnostics.iter().map(|diagnostic| diagnostic.code).collect()
 }
 
+/// The parameters of the top module with their values.
+fn values(netlist: &Netlist) -> Vec<(String, i64)> {
+    netlist.parameters.iter().map(|one| (one.name.clone(), one.value)).collect()
+}
+
 /// What drives a net, highest bits first, as Verilog would write it.
 fn roots(netlist: &Netlist, net: &str) -> String {
     let net = netlist.nets.iter().zip(0..).find(|(_, place)| netlist.net_name(net_id(*place)) == net);

@@ -1,6 +1,6 @@
 //! A page about a circuit, or about a module in it.
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::page::{self, bits, entry, section, word};
 use super::wiring::{Instance, Wiring};
@@ -15,7 +15,15 @@ pub(super) fn text(design: &Design) -> String {
         page.push_str(&format!("default scenario: {title} (show {}.toml)\n", design.circuit().name()));
     }
     page.push_str(&format!("\n{}", header_comment(design.circuit().source())));
-    let given = netlist.parameters.iter().map(|(name, value)| format!("{name:20} {value}"));
+    let given = netlist.parameters.iter().map(|one| {
+        let range = match (one.least, one.most) {
+            (Some(least), Some(most)) => format!("{least} to {most}"),
+            (Some(least), None) => format!("at least {least}"),
+            (None, Some(most)) => format!("at most {most}"),
+            (None, None) => String::new(),
+        };
+        format!("{:20} {:<10} {range}", one.name, one.value)
+    });
     section(&mut page, "parameters", given);
     section(
         &mut page,
@@ -44,12 +52,15 @@ pub(super) fn object(design: &Design) -> Value {
         })
     });
     let instances = Wiring::of(netlist).instances(ScopeId::new(0));
+    let parameters = netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into()));
+    let ranges = netlist.parameters.iter().map(|one| (one.name.clone(), json!([one.least, one.most])));
     json!({
         "kind": "circuit",
         "name": design.circuit().name(),
         "title": design.scenario().title,
         "comment": header_comment(design.circuit().source()),
-        "parameters": page::parameters(&netlist.parameters),
+        "parameters": parameters.collect::<Map<_, _>>(),
+        "ranges": ranges.collect::<Map<_, _>>(),
         "ports": ports.collect::<Vec<_>>(),
         "instances": instances.iter().map(page::object).collect::<Vec<_>>(),
     })

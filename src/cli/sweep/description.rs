@@ -39,8 +39,7 @@ impl Description {
             let (name, number) = (name(change.input), number(change.input, change.word));
             format!("tick {}: {name} = {number}", change.tick)
         });
-        let parameters: Map<_, _> =
-            netlist.parameters.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
+        let parameters: Map<_, _> = netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
         Self(json!({
             "format": FORMAT,
             "stepwright": env!("CARGO_PKG_VERSION"),

@@ -8,6 +8,7 @@ use super::template::{LocalDrive, LocalNet, LocalScope, LocalSource, Override, T
 use crate::base::Diagnostic;
 use crate::base::word::MAX_WIDTH;
 use crate::blocks::Direction;
+use crate::netlist::checked::TopParameter;
 use crate::netlist::errors::Errors;
 use crate::netlist::syntax::{Module, Name, NetType, Parameter, ParameterKind, Port, Range};
 
@@ -76,7 +77,8 @@ impl<'t> Header<'t> {
         let meaning = value.as_ref().map_or(Meaning::Wrong, |value| Meaning::Constant(*value));
         self.names.declare(&parameter.name, meaning)?;
         if !parameter.local {
-            self.template.parameters.push((parameter.name.text.to_string(), as_i64(value?, &parameter.name)?));
+            let kept = kept_parameter(&self.names, self.template.module, parameter, value?)?;
+            self.template.parameters.push(kept);
         }
         Ok(())
     }
@@ -148,11 +150,19 @@ fn typed_value(names: &Names<'_>, parameter: &Parameter, given: &[Override<'_>])
 }
 
 /// A value as a parameter of the netlist.
-pub(super) fn as_i64(value: Const, name: &Name) -> Result<i64> {
-    i64::try_from(value.number()).map_err(|_| {
+pub(super) fn kept_parameter(
+    names: &Names<'_>,
+    module: &Module,
+    parameter: &Parameter,
+    value: Const,
+) -> Result<TopParameter> {
+    let name = &parameter.name;
+    let value = i64::try_from(value.number()).map_err(|_| {
         let message = format!("`{}` is beyond a 64-bit signed number", name.text);
         Diagnostic::new("N015", message).at(name.span, "declared here")
-    })
+    })?;
+    let [least, most] = range::stated(names, module, parameter)?.map(|end| end.map(|end| end.bound));
+    Ok(TopParameter { name: name.text.to_string(), value, least, most })
 }
 
 /// Lowest index and width of `[msb:lsb]`.

@@ -98,8 +98,10 @@ impl<'t> Inside<'_, '_, 't> {
             let diagnostic =
                 Diagnostic::new("N004", "`parameter` in a generate block is outside the structural subset");
             self.report(diagnostic.at(parameter.name.span, "here").help("write `localparam`"));
-        } else if let Some(value) = self.keep(header::as_i64(value, &parameter.name)) {
-            self.template.parameters.push((parameter.name.text.to_string(), value));
+        } else if let Some(value) =
+            self.keep(header::kept_parameter(&self.names, self.template.module, parameter, value))
+        {
+            self.template.parameters.push(value);
         }
     }
 

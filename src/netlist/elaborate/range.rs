@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use super::evaluate::number;
 use super::names::Names;
 use super::template::Override;
-use crate::base::Diagnostic;
+use crate::base::{Diagnostic, Span};
 use crate::netlist::syntax::{Attribute, Module, Parameter};
 
 /// Which parameter and which end of its range an attribute is about.
@@ -34,6 +34,28 @@ pub(super) fn check_attributes(module: &Module) -> Vec<Diagnostic> {
     module.attributes.values().filter_map(check).collect()
 }
 
+/// An end of a range, and where it is stated.
+pub(super) struct End {
+    pub bound: i64,
+    span: Span,
+}
+
+/// The least and the greatest value that a module states for a parameter.
+pub(super) fn stated(
+    names: &Names<'_>,
+    module: &Module,
+    parameter: &Parameter,
+) -> Result<[Option<End>; 2], Diagnostic> {
+    let end = |end| {
+        let attribute = module.attributes.get(&*format!("{}{end}", parameter.name.text));
+        let Some(Attribute { name, value: Some(bound) }) = attribute.filter(|_| !parameter.local) else {
+            return Ok(None);
+        };
+        Ok(Some(End { bound: number(names, bound)?, span: name.span }))
+    };
+    Ok([end("_min")?, end("_max")?])
+}
+
 /// Whether a parameter's value is within the range that its module states.
 pub(super) fn check(
     names: &Names<'_>,
@@ -43,17 +65,14 @@ pub(super) fn check(
     given: &[Override<'_>],
 ) -> Result<(), Diagnostic> {
     let name = &*parameter.name.text;
-    for (end, words) in [("_min", "at least"), ("_max", "at most")] {
-        let attribute = module.attributes.get(&*format!("{name}{end}")).filter(|_| !parameter.local);
-        let Some(Attribute { name: stated, value: Some(bound) }) = attribute else { continue };
-        let bound = number(names, bound)?.into();
-        if (end == "_min" && value < bound) || (end == "_max" && value > bound) {
-            let message = format!("`{name}` of `{}` is {value}, but is {words} {bound}", module.name.text);
-            let place = given.iter().find(|given| given.name == name).and_then(|given| given.span);
-            let diagnostic = Diagnostic::new("N015", message);
-            let diagnostic = diagnostic.at(place.unwrap_or(parameter.name.span), value.to_string());
-            return Err(diagnostic.at(stated.span, "its range"));
-        }
-    }
-    Ok(())
+    let [least, most] = stated(names, module, parameter)?;
+    let least = least.filter(|end| value < end.bound.into()).map(|end| (end, "at least"));
+    let most = most.filter(|end| value > end.bound.into()).map(|end| (end, "at most"));
+    let Some((End { bound, span }, words)) = least.or(most) else {
+        return Ok(());
+    };
+    let message = format!("`{name}` of `{}` is {value}, but is {words} {bound}", module.name.text);
+    let place = given.iter().find(|given| given.name == name).and_then(|given| given.span);
+    let diagnostic = Diagnostic::new("N015", message);
+    Err(diagnostic.at(place.unwrap_or(parameter.name.span), value.to_string()).at(span, "its range"))
 }

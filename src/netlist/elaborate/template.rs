@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::constant::Const;
 use crate::base::Span;
 use crate::blocks::{Body, Direction};
-use crate::netlist::checked::CellKind;
+use crate::netlist::checked::{CellKind, TopParameter};
 use crate::netlist::syntax::Module;
 
 crate::define_id!(
@@ -19,7 +19,7 @@ crate::define_id!(
 pub(in crate::netlist) struct Template<'t> {
     pub(in crate::netlist) module: &'t Module,
     /// Parameters (not localparams) in order, with the values in force.
-    pub(in crate::netlist) parameters: Vec<(String, i64)>,
+    pub(in crate::netlist) parameters: Vec<TopParameter>,
     /// The module itself, then its generate blocks; a block comes after the one around it.
     pub(in crate::netlist) scopes: Vec<LocalScope>,
     /// The ports in order of the header, then the other nets.
