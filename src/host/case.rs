@@ -55,8 +55,12 @@ impl Case {
     /// The stroke from P0 to P1.
     ///
     /// # Errors
-    /// The data of the case have no solution: [`Refusal::EqualSlopes`], [`Refusal::Inflection`], [`Refusal::Tangent`].
+    /// The data of the case have no solution: [`Refusal::Vertical`], [`Refusal::EqualSlopes`], [`Refusal::Inflection`],
+    /// [`Refusal::Tangent`].
     pub fn curve(self, p0: Point, p1: Point) -> Result<Curve, Refusal> {
+        if self.slopes().iter().any(|slope| !slope.is_finite()) {
+            return Err(Refusal::Vertical);
+        }
         let [a, b] = less(p1, p0);
         let jklm = match self {
             Self::I { s0, s1 } => {
@@ -81,6 +85,14 @@ impl Case {
             }
         };
         Ok(Curve { from: p0, jklm, quarters: 1 })
+    }
+
+    fn slopes(&self) -> [f64; 2] {
+        match *self {
+            Self::I { s0, s1 } => [s0, s1],
+            Self::II { s0: slope, .. } | Self::III { s1: slope, .. } | Self::IV { s3: slope, .. } => [slope, 0.0],
+            Self::V { .. } => [0.0, 0.0],
+        }
     }
 }
 
@@ -139,8 +151,9 @@ impl CaseTwo {
         is_inside(self.e)
     }
 
+    /// Why E is not good.
     pub(super) fn refusal(&self) -> Refusal {
-        Refusal::Inflection { e: self.e }
+        if self.s0.is_finite() { Refusal::Inflection { e: self.e } } else { Refusal::Vertical }
     }
 
     /// F = sin t3, of operation 588.

@@ -8,7 +8,7 @@
 //!
 //! A [`Case`] is one of the five conversions in real numbers; a [`Chain`] is what FIG. 19 reads, linked strokes without
 //! corners; a [`Curve`] is a stroke in real numbers; a [`Stroke`] is one in the words of registers 556 to 566; a [`Note`]
-//! is what the operator should know. `appendix` has the FORTRAN of Appendix A.
+//! is what the operator should know. [`appendix`] has the FORTRAN of Appendix A.
 //!
 //! Nothing here knows a netlist but [`Bus`], and that sees it only through the bus: it writes words and reads the status.
 //!
@@ -25,6 +25,8 @@
 //! assert!(matches!(&linked.notes[..], [Note::Cancelled { points, .. }] if *points == (4..=5)));
 //! ```
 
+pub mod appendix;
+mod bus;
 mod case;
 mod chain;
 mod curve;
@@ -33,6 +35,7 @@ mod note;
 mod step;
 mod stroke;
 
+pub use bus::Bus;
 pub use case::{Case, CaseTwo};
 pub use chain::{Carry, Chain, Entry, Linked, Section};
 pub use curve::{Curve, Point};

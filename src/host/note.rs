@@ -6,6 +6,9 @@ use std::ops::RangeInclusive;
 /// Why data give no stroke.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Refusal {
+    /// A slope that is given, or carried on from a section with J = 0, is infinite or no number. A vertical tangent has
+    /// no slope, as in the patent; a quarter turn (FIG. 13) of all points makes it a horizontal one.
+    Vertical,
     /// Cases II and III: E is not between 0 and 1, both excluded. The curve would need a point of inflection.
     Inflection {
         /// E, which may be no number.
@@ -34,6 +37,7 @@ pub enum Refusal {
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Vertical => write!(f, "a vertical tangent has no slope"),
             Self::Inflection { e } => write!(f, "E = {e:.4} is not between 0 and 1"),
             Self::EqualSlopes => write!(f, "the slopes at both ends are equal"),
             Self::Tangent { g } => write!(f, "G = {g:.4} is not above 0"),
