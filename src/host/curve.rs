@@ -17,6 +17,20 @@ pub struct Curve {
 }
 
 impl Curve {
+    /// A circle as CIRCLE of Appendix A has it: from its leftmost point on, clockwise.
+    #[must_use]
+    pub fn circle([x, y]: Point, radius: f64) -> Self {
+        Self { from: [x - radius, y], jklm: [-radius, 0.0, 0.0, radius], quarters: 4 }
+    }
+
+    /// Half a circle as SEMI of Appendix A has it: J and L are fixed by the end, K and M by the way round.
+    #[must_use]
+    pub fn half_circle(from: Point, to: Point, counter_clockwise: bool) -> Self {
+        let [a, b] = [0, 1].map(|axis| (to[axis] - from[axis]) / 2.0);
+        let [k, m] = if counter_clockwise { [b, -a] } else { [-b, a] };
+        Self { from, jklm: [-a, k, -b, m], quarters: 2 }
+    }
+
     /// The point at `t`, in radians.
     #[must_use]
     pub fn at(&self, t: f64) -> Point {

@@ -8,10 +8,11 @@ impl Program<'_> {
     ///
     /// # Errors
     /// Those of [`Program::typcrv`].
-    pub fn circle(&mut self, [xctr, yctr]: Point, radius: f64) -> Result<Curve, Message> {
+    pub fn circle(&mut self, centre: Point, radius: f64) -> Result<Curve, Message> {
         let before = self.beg;
-        self.curset([xctr - radius, yctr]); // 1620, 1630
-        let drawn = self.typcrv([-radius, 0.0, 0.0, radius], Type::Whole); // 1640 to 1690
+        let circle = Curve::circle(centre, radius);
+        self.curset(circle.from); // 1620, 1630
+        let drawn = self.typcrv(circle.jklm, Type::Whole); // 1640 to 1690
         if drawn.is_err() {
             self.beg = before;
         }
@@ -25,9 +26,7 @@ impl Program<'_> {
     /// # Errors
     /// Those of [`Program::typcrv`].
     pub fn semi(&mut self, end: Point, idirec: i16) -> Result<Curve, Message> {
-        let [a, b] = [0, 1].map(|axis| (end[axis] - self.beg[axis]) / 2.0); // 1920, 1930
-        let way = if idirec == 1 { 1.0 } else { -1.0 }; // 1940
-        self.typcrv([-a, way * b, -b, -way * a], Type::Half)
+        self.typcrv(Curve::half_circle(self.beg, end, idirec == 1).jklm, Type::Half)
     }
 
     /// CURSET (X, Y), which is lost: the next stroke begins there. It puts no words into the buffer (chosen: what they

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::atomic::AtomicBool;
 
 use stepwright::base::{Report, Signal, ValueId, word};
-use stepwright::host::{Bus, Carry, Chain, Entry, Linked, Point, Step, Stroke};
+use stepwright::host::{Bus, Carry, Chain, Curve, Entry, Linked, Point, Step, Stroke};
 use stepwright::simulation::{Circuit, Session};
 use stepwright::trace::{Frame, Observer, Select};
 
@@ -130,7 +130,7 @@ fn a_circle_and_a_move_are_drawn_as_they_are_asked_for() {
     let mut bus = Bus::of(&mut run).expect("the bus");
     bus.draw(&Stroke { from: [0, 0], jklm: [0, 300, 0, 200], quarters: 1, pen: false }).expect("a move");
     assert_eq!(bus.status(), 0x0090);
-    bus.draw(&Stroke { from: [300, 200], jklm: [-250, 0, 0, 250], quarters: 4, pen: true }).expect("a circle");
+    bus.draw(&Curve::circle([550.0, 200.0], 250.0).words().expect("it fits")).expect("a circle");
     assert_eq!(bus.status(), 0x008C);
     run.end_recording().expect("nothing fails");
     drop(run);
