@@ -15,10 +15,10 @@ fn words_are_the_nearest_but_end_just_on_the_nearest_count() {
         let stroke = curve.words().expect("all of them fit");
         // J and L are rounded alone; what K and M take over from them and the ends is at most one and a half more.
         for (at, (word, exact)) in stroke.jklm.iter().zip(jklm).enumerate() {
-            let most = if at % 2 == 0 || quarters % 2 == 0 { 0.5 } else { 2.0 };
+            let most = if at % 2 == 0 || quarters.is_multiple_of(2) { 0.5 } else { 2.0 };
             assert!((f64::from(*word) - exact).abs() <= most, "{stroke:?} {curve:?}");
         }
-        let most = if quarters % 2 == 0 { 2.0 } else { 0.5 };
+        let most = if quarters.is_multiple_of(2) { 2.0 } else { 0.5 };
         for (end, exact) in stroke.end().iter().zip(curve.end()) {
             assert!((f64::from(*end) - exact).abs() <= most, "{stroke:?} {curve:?}");
         }
@@ -47,7 +47,7 @@ fn what_does_not_fit_is_named_with_its_range() {
 #[test]
 fn a_stroke_is_six_words_in_order_and_a_command() {
     let stroke = Stroke { from: [-7, 8], jklm: [-1, 2, -3, 4], quarters: 3, pen: false };
-    let words = [0xFFFF, 2, 0xFFFD, 4, 0xFFF9, 8, 0b1_10_0_1];
+    let words = [0xFFFF, 2, 0xFFFD, 4, 0xFFF9, 8, 0b1_1001];
     let writes: Vec<_> = (0..).zip(words).map(|(address, data)| Write { address, data }).collect();
     assert_eq!(stroke.writes()[..], writes);
     assert_eq!(Stroke { quarters: 1, pen: true, ..stroke }.command(), 1);
