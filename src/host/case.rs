@@ -52,7 +52,8 @@ fn is_inside(e: f64) -> bool {
 }
 
 impl Case {
-    /// The stroke from P0 to P1.
+    /// The stroke from P0 to P1. Data that nearly have no solution give coefficients beyond any register, which
+    /// [`Curve::words`] refuses.
     ///
     /// # Errors
     /// The data of the case have no solution: [`Refusal::Vertical`], [`Refusal::EqualSlopes`], [`Refusal::Inflection`],
