@@ -69,6 +69,7 @@ pub mod engine;
 pub mod export;
 pub mod files;
 pub mod golden;
+pub mod host;
 pub mod netlist;
 pub mod scenario;
 pub mod simulation;

@@ -1,4 +1,4 @@
-//! Every numeral of FIG. 3 to 8, 11 to 17 and 20 of US 3,809,868 is the ending of an instance's or a net's name in its
+//! Every numeral of FIG. 3 to 8, 11 to 18 and 20 of US 3,809,868 is the ending of an instance's or a net's name in its
 //! circuit.
 
 use stepwright::simulation::Circuit;
@@ -56,4 +56,10 @@ fn every_numeral_of_figures_16_and_17_is_a_name() {
 #[test]
 fn every_numeral_of_figure_11_is_a_name() {
     assert_named("fig11_system", (350..=406).step_by(2).filter(|&numeral| numeral != 398));
+}
+
+#[test]
+fn every_numeral_of_figure_18_inside_the_machine_is_a_name() {
+    // 550, 552, 570 and 584 are outside: keyboard, computer, display, readers.
+    assert_named("fig18_processor", (554..=568).step_by(2));
 }

@@ -18,6 +18,7 @@ const MAY_IMPORT: &[(&str, Option<&[&str]>)] = &[
     ("export", Some(&["base", "blocks", "netlist", "scenario"])),
     // The front door puts the rooms together; only the command line stands before it.
     ("simulation", Some(&["base", "blocks", "netlist", "compile", "engine", "files", "scenario", "trace"])),
+    ("host", Some(&["base", "simulation"])),
     ("cli", None),
 ];
 
