@@ -33,7 +33,8 @@
 // - a write to address 7, to a register while busy, a start while busy: the write has no effect, a stroke goes on;
 // - 366 or the generator refuses the stroke (docs/system.md): nothing is drawn, `done` follows;
 // - X or Y carried beyond 16 bits: told at the end, the mark is off from there on.
-(* GUARD_min = 0, GUARD_max = 3 *)
+(* WIDTH_min = 1, WIDTH_max = 16, ENTRIES_min = 2, ENTRIES_max = 4096, ENTRY_WIDTH_min = 1, ENTRY_WIDTH_max = 16,
+   GUARD_min = 0, GUARD_max = 3 *)
 module fig18_processor #(
     parameter WIDTH = 12,           // these as in fig09_function_generator
     parameter ENTRIES = 128,
