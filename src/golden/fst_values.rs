@@ -49,18 +49,18 @@ pub(super) fn unpacked(input: &mut (impl Read + Seek), changes: &Changes) -> io:
         entries.iter().enumerate().filter_map(|(signal, entry)| entry.offset().map(|at| (signal, at))).collect();
     let mut own = vec![None; entries.len()];
     for (place, &(signal, offset)) in placed.iter().enumerate() {
-        let end = placed.get(place + 1).map_or(begin - changes.start, |next| next.1);
+        let end = placed.get(place + 1).map_or(u64::MAX, |next| next.1).min(begin - changes.start);
         let Some(packed) = end.checked_sub(offset) else { return Ok(None) };
         input.seek(SeekFrom::Start(changes.start + offset))?;
         own[signal] = Some(cost(&mut input.take(packed), packing, packed)?);
     }
     let cost_of = |signal: usize| own.get(signal).copied().flatten();
-    let costs = entries.iter().enumerate().map(|(signal, entry)| match entry {
+    let mut costs = entries.iter().enumerate().map(|(signal, entry)| match entry {
         Entry::Nothing => Some(0),
         Entry::At(_) => cost_of(signal),
         Entry::Shared(with) => cost_of(usize::try_from(*with).ok()?),
     });
-    Ok(costs.sum())
+    Ok(costs.try_fold(0_u64, |sum, cost| Some(sum.saturating_add(cost?))))
 }
 
 /// The entries, one for each signal up to the last that has changes.
@@ -172,6 +172,8 @@ mod tests {
         assert_eq!(unpacked_of(5, b'4', &[100, 7, 7], &[3, 0, 1, 4]), Some(200));
         // The same in the later form, where a third one shares them too.
         assert_eq!(unpacked_of(8, b'4', &[100, 7, 7], &[3, 0x7f, 1, 4]), Some(300));
+        // More than can be counted.
+        assert_eq!(unpacked_of(5, b'4', &[255; 9], &[3, 0, 1]), Some(u64::MAX));
         // Nothing stated: the bytes stand there as they are.
         assert_eq!(unpacked_of(8, b'Z', &[0, 7, 7, 0, 7], &[3, 7]), Some(5));
     }
@@ -188,7 +190,8 @@ mod tests {
     fn a_chain_that_cannot_be_is_none() {
         let values = [100, 7, 7];
         // More signals than the block has; values behind the chain; one that shares what another has not.
-        for chain in [&[3, 12][..], &[3, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1], &[99], &[0, 3], &[0x80]] {
+        let far = [0x83, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x7f, 3];
+        for chain in [&[3, 12][..], &[3, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1], &[99], &[0, 3], &[0x80], &far] {
             assert_eq!(unpacked_of(5, b'4', &values, chain), None, "{chain:?}");
         }
     }
