@@ -1,4 +1,4 @@
-//! Any bytes as an FST file: `cargo +nightly fuzz run fst seeds/fst -- -rss_limit_mb=1024`.
+//! Any bytes as an FST file.
 #![no_main]
 
 mod waveform;

@@ -1,4 +1,4 @@
-//! Any text: `cargo +nightly fuzz run load -- -dict=fuzz_targets/load.dict`.
+//! Any text.
 #![no_main]
 
 #[path = "../../tests/support/netlist_check.rs"]

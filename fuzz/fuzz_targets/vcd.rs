@@ -1,4 +1,4 @@
-//! Any bytes as a VCD file: `cargo +nightly fuzz run vcd seeds/vcd -- -dict=fuzz_targets/vcd.dict`.
+//! Any bytes as a VCD file.
 #![no_main]
 
 mod waveform;

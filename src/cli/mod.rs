@@ -23,6 +23,7 @@ use clap::Parser;
 use crate::base::Report;
 use crate::files;
 use args::{Arguments, Command};
+pub use sweep::Stimuli;
 
 /// How a command ended; the exit status of DESIGN part 4.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

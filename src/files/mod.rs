@@ -9,15 +9,17 @@ mod lasting;
 mod output;
 mod place;
 mod read;
+mod scratch;
 mod spool;
 mod stream;
 
 pub use aside::abandon;
 pub use check::check;
 pub use lasting::Lasting;
-pub use output::{Out, Output, seen_from, write_bytes};
+pub use output::{Out, Output, copy, seen_from, write_bytes};
 pub use place::is_standard_output;
 pub use read::{Text, below, read, read_bytes};
+pub use scratch::{Scratch, ScratchReader};
 pub use spool::seekable;
 pub use stream::{Stream, is_waiting, print};
 

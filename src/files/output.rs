@@ -1,7 +1,7 @@
 //! Outputs: files aside at first, under their name only once they are whole; streams as it comes.
 
 use std::fs::OpenOptions;
-use std::io::{self, BufWriter, Seek, Write};
+use std::io::{self, BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use super::aside::Aside;
@@ -124,9 +124,17 @@ impl Seek for Output {
 ///
 /// # Errors
 /// `C003`, `C031`.
-pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Report> {
+pub fn write_bytes(path: &Path, mut bytes: &[u8]) -> Result<(), Report> {
+    copy(&mut bytes, path)
+}
+
+/// Writes a whole file from something that is read.
+///
+/// # Errors
+/// `C003`, `C031`.
+pub fn copy(from: &mut impl Read, path: &Path) -> Result<(), Report> {
     let mut output = Output::create(path)?;
-    output.write_all(bytes).map_err(|error| unwritable(path, &error))?;
+    io::copy(from, &mut output).map_err(|error| unwritable(path, &error))?;
     Box::new(output).commit()
 }
 

@@ -17,7 +17,7 @@ pub(super) const WIDEST: u32 = 1 << 16;
 const DEEPEST: usize = 256;
 
 /// How many words of 64 bits the values of all signals may take at one time: 8 MiB of bits, 8 MiB of unknowns.
-const MOST_WORDS: usize = 1 << 20;
+pub(super) const MOST_WORDS: usize = 1 << 20;
 
 /// How many bytes all names may take, with their scopes.
 const MOST_NAME_BYTES: usize = 64 << 20;

@@ -24,20 +24,43 @@ fn an_fst_says_what_the_vcd_says_that_it_was_made_from() {
     assert_eq!(shown("t.wide", 8), format!("{}1z01", "0".repeat(66)));
 }
 
+/// Where the first block of one of these kinds begins, and where it ends.
+fn block(bytes: &[u8], kinds: &[u8]) -> [usize; 2] {
+    let mut at = 0;
+    loop {
+        let end = at + 1 + u64::from_be_bytes(bytes[at + 1..at + 9].try_into().unwrap()) as usize;
+        if kinds.contains(&bytes[at]) {
+            return [at, end];
+        }
+        at = end;
+    }
+}
+
 #[test]
 fn a_size_that_cannot_be_is_refused_before_memory_is_taken() {
-    // How many times the table of the only block with values has stands in its last eight bytes.
-    let mut at = 0;
-    while ![1, 5, 8].contains(&FST[at]) {
-        at += 1 + u64::from_be_bytes(FST[at + 1..at + 9].try_into().unwrap()) as usize;
+    let changed = |at: usize, to: &[u8]| [&FST[..at], to, &FST[at + to.len()..]].concat();
+    let [_, end] = block(FST, &[1, 5, 8]);
+    let [widths, _] = block(FST, &[3]);
+    let forged = [
+        // How many times there are, more than have bytes and more than are possible.
+        changed(end - 8, &[1]),
+        changed(
+            end - 24,
+            &[[0, 0, 0, 0, 15, 0, 0, 0], FST[end - 16..end - 8].try_into().unwrap(), [0, 0, 0, 0, 14, 0, 0, 0]]
+                .concat(),
+        ),
+        // How many signals.
+        changed(widths + 9, &[[0, 0, 0, 0, 1, 0, 0, 0]; 2].concat()),
+        // How often the dump was switched off.
+        [FST, &[2, 0, 0, 0, 0, 0, 0, 0, 13, 255, 255, 255, 255, 15]].concat(),
+    ];
+    for (place, bytes) in forged.iter().enumerate() {
+        let report = read("a.fst", &bytes[..]).expect_err("it is forged").to_string();
+        assert!(report.contains("error[W020]: a.fst: this FST file is broken"), "{place}: {report}");
+        assert!(report.contains("states a size that cannot be"), "{place}: {report}");
     }
-    let end = at + 1 + u64::from_be_bytes(FST[at + 1..at + 9].try_into().unwrap()) as usize;
-    let mut broken = FST.to_vec();
-    broken[end - 8] = 1;
-    for (bytes, why) in [(&broken[..], "states a size that cannot be"), (&FST[..FST.len() - 9], "it was cut off")] {
-        let report = read("a.fst", bytes).expect_err(why).to_string();
-        assert!(report.contains("error[W020]: a.fst: this FST file is broken") && report.contains(why), "{report}");
-    }
+    let report = read("a.fst", &FST[..FST.len() - 9]).expect_err("it is cut").to_string();
+    assert!(report.contains("error[W020]") && report.contains("it was cut off"), "{report}");
 }
 
 proptest! {

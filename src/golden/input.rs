@@ -1,8 +1,9 @@
 //! What waveforms are read from, and which format it has.
 
+use std::fmt;
 use std::fs::File;
-use std::io::{BufRead, BufReader, Cursor, Read, Seek};
-use std::path::{Path, PathBuf};
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek};
+use std::path::Path;
 use std::sync::Arc;
 
 use super::fst::FstSource;
@@ -10,34 +11,43 @@ use super::source::Source;
 use super::vcd::VcdSource;
 use crate::base::{Diagnostic, Report};
 
-/// A waveform file, or the bytes of one, that can be read more than once.
-#[derive(Clone, Debug)]
-pub struct Input {
-    name: String,
-    from: From,
-}
-
-#[derive(Clone, Debug)]
-enum From {
-    File(PathBuf),
-    Bytes(Arc<[u8]>),
-}
-
 /// What formats are read from.
 trait Bytes: BufRead + Seek + Send {}
 impl<T: BufRead + Seek + Send> Bytes for T {}
 
+type Opener = dyn Fn() -> io::Result<Box<dyn Bytes>> + Send + Sync;
+
+/// A waveform file, or something like one, that can be read more than once.
+#[derive(Clone)]
+pub struct Input {
+    name: String,
+    opener: Arc<Opener>,
+}
+
 impl Input {
+    /// What `open` opens, every time at its beginning, and what messages call it.
+    #[must_use]
+    pub fn new<R: Read + Seek + Send + 'static>(
+        name: &str,
+        open: impl Fn() -> io::Result<R> + Send + Sync + 'static,
+    ) -> Self {
+        let opener = move || open().map(|input| Box::new(BufReader::with_capacity(1 << 16, input)) as Box<dyn Bytes>);
+        Self { name: name.to_owned(), opener: Arc::new(opener) }
+    }
+
     /// A file; messages call it by its path.
     #[must_use]
     pub fn file(path: &Path) -> Self {
-        Self { name: path.display().to_string(), from: From::File(path.to_owned()) }
+        let name = path.display().to_string();
+        let path = path.to_owned();
+        Self::new(&name, move || File::open(&path))
     }
 
     /// Bytes, and what messages call them.
     #[must_use]
     pub fn bytes(name: &str, bytes: impl Into<Arc<[u8]>>) -> Self {
-        Self { name: name.to_owned(), from: From::Bytes(bytes.into()) }
+        let bytes = bytes.into();
+        Self::new(name, move || Ok(Cursor::new(Arc::clone(&bytes))))
     }
 
     /// What messages call it.
@@ -47,13 +57,7 @@ impl Input {
     }
 
     pub(super) fn open(&self) -> Result<Box<dyn Source>, Report> {
-        let bytes: Box<dyn Bytes> = match &self.from {
-            From::File(path) => {
-                Box::new(BufReader::new(File::open(path).map_err(|error| unreadable(&self.name, &error))?))
-            }
-            From::Bytes(bytes) => Box::new(Cursor::new(Arc::clone(bytes))),
-        };
-        self.of_its_kind(bytes)
+        self.of_its_kind((self.opener)().map_err(|error| unreadable(&self.name, &error))?)
     }
 
     fn of_its_kind(&self, mut bytes: Box<dyn Bytes>) -> Result<Box<dyn Source>, Report> {
@@ -65,11 +69,17 @@ impl Input {
 }
 
 /// Whether these are the first bytes of an FST file: a header block, or a packed file.
-pub(super) fn is_fst(input: &mut impl BufRead) -> std::io::Result<bool> {
+pub(super) fn is_fst(input: &mut impl BufRead) -> io::Result<bool> {
     Ok(matches!(input.fill_buf()?.first(), Some(0 | 254)))
 }
 
-pub(super) fn unreadable(name: &str, error: &std::io::Error) -> Diagnostic {
+impl fmt::Debug for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Input").field(&self.name).finish()
+    }
+}
+
+pub(super) fn unreadable(name: &str, error: &io::Error) -> Diagnostic {
     Diagnostic::new("W017", format!("{name}: cannot be read: {error}"))
 }
 

@@ -24,6 +24,8 @@ mod compare;
 mod declared;
 mod fst;
 mod fst_blocks;
+mod fst_numbers;
+mod fst_values;
 mod header;
 mod how;
 mod input;

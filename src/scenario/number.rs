@@ -1,6 +1,7 @@
 //! Numbers as people write them for a port: whole words, or real numbers for fixed-point ports.
 
 use std::fmt;
+use std::num::IntErrorKind;
 
 use crate::base::word;
 
@@ -43,12 +44,22 @@ impl Number {
         };
         // A sign may stand before the base only.
         let whole = Some(whole).filter(|whole| !whole.starts_with(['+', '-']));
-        if let Some(whole) = whole.and_then(|whole| u64::from_str_radix(whole, radix).ok()) {
-            let whole = i128::from(whole);
-            return Ok(Number::Word(if negative { -whole } else { whole }));
-        }
-        let real = plain.parse::<f64>().ok().filter(|real| real.is_finite() && plain.contains(['.', 'e', 'E']));
-        real.map(|real| Number::Real(if negative { -real } else { real })).ok_or_else(expected)
+        let largest = if radix == 10 && plain.contains(['.', 'e', 'E']) {
+            match plain.parse::<f64>() {
+                Ok(real) if real.is_finite() => return Ok(Number::Real(if negative { -real } else { real })),
+                Ok(_) => format!("real number is {:e}", f64::MAX),
+                Err(_) => return Err(expected()),
+            }
+        } else {
+            match whole.map(|whole| u64::from_str_radix(whole, radix)) {
+                Some(Ok(whole)) => return Ok(Number::Word(if negative { -i128::from(whole) } else { whole.into() })),
+                Some(Err(error)) if *error.kind() == IntErrorKind::PosOverflow => {
+                    format!("whole number is {}", u64::MAX)
+                }
+                _ => return Err(expected()),
+            }
+        };
+        Err(format!("`{text}` does not fit: the largest {largest}"))
     }
 
     /// The number itself.
@@ -134,6 +145,15 @@ mod tests {
         assert!(Number::Real(1e300).encode(32, true, Some(18)).is_err());
         assert!(Number::Real(1.0).encode(32, true, None).is_err());
         assert_eq!(Number::Word(-32768).encode(16, true, None), Ok(0x8000));
+    }
+
+    #[test]
+    fn a_number_that_is_too_large_is_called_so() {
+        for text in ["18446744073709551616", "-99999999999999999999", "0x10000000000000000", "1e400", "-1.0e999"] {
+            let said = Number::parse(text).expect_err(text);
+            assert!(said.contains("does not fit"), "{said}");
+        }
+        assert_eq!(Number::parse("99999999999999999999.5"), Ok(Number::Real(1e20)));
     }
 
     #[test]

@@ -48,6 +48,11 @@ pub fn drafts(cells: usize) -> impl Strategy<Value = Draft> {
 
 /// The text of a draft: a module `random`.
 pub fn write(draft: &Draft) -> String {
+    module("random", "", draft, |_| ())
+}
+
+/// The text of a module; `more` adds to its cells.
+pub(super) fn module(name: &str, outputs: &str, draft: &Draft, more: impl FnOnce(&mut Writer)) -> String {
     let mut writer = Writer::default();
     let mut header = String::new();
     for (i, &width) in draft.inputs.iter().enumerate() {
@@ -60,32 +65,34 @@ pub fn write(draft: &Draft) -> String {
     for (i, choice) in draft.cells.iter().enumerate() {
         writer.cell(i, choice);
     }
+    more(&mut writer);
     for (i, &(width, choice)) in draft.feedback.iter().enumerate() {
         let (word, enable) = (writer.expression(choice, width), writer.expression(choice.rotate_left(20), 1));
         writer.line(format!(
             "register #(.WIDTH({width})) feedback_{i} (.clk(clk), .word({word}), .enable({enable}), .clear(1'b0), .q(held_{i}));"
         ));
     }
-    format!("module random (\n    input wire clk{header}\n);\n{}endmodule\n", writer.text)
+    format!("module {name} (\n    input wire clk{header}{outputs}\n);\n{}endmodule\n", writer.text)
 }
 
+/// The cells of a module, and the nets that there are to connect.
 #[derive(Default)]
-struct Writer {
+pub(super) struct Writer {
     text: String,
     nets: Vec<(String, u32)>,
 }
 
 impl Writer {
-    fn line(&mut self, line: String) {
+    pub(super) fn line(&mut self, line: String) {
         writeln!(self.text, "    {line}").expect("a string");
     }
 
-    fn declare(&mut self, name: String, width: u32) {
+    pub(super) fn declare(&mut self, name: String, width: u32) {
         self.line(format!("wire {}{name};", range(width)));
         self.nets.push((name, width));
     }
 
-    fn cell(&mut self, i: usize, choice: &Choice) {
+    pub(super) fn cell(&mut self, i: usize, choice: &Choice) {
         let kind = usize::from(choice.kind) % (GATES.len() + 2 * REGISTRY.len());
         match GATES.get(kind) {
             Some(gate) => self.gate(i, gate, choice),
@@ -120,7 +127,7 @@ impl Writer {
     }
 
     /// A word of `width` bits: a net, a part of one, several side by side, a constant.
-    fn expression(&self, choice: u64, width: u32) -> String {
+    pub(super) fn expression(&self, choice: u64, width: u32) -> String {
         let place = (choice % (self.nets.len() as u64 + 1)) as usize;
         let Some((name, net)) = self.nets.get(place) else { return constant(choice, width) };
         let rest = choice.rotate_right(7);

@@ -32,8 +32,13 @@ fn judge_scenario(name: &str) -> Result<(), String> {
 pub fn judge(name: &str, design: &Design) -> Result<(), String> {
     let mut run = design.start_with(Vec::new()).map_err(|report| report.to_string())?;
     let ticks = run.finish().map_err(|report| report.to_string())?.ticks;
-    let wave = icarus(design, ticks);
-    let mut judge = Judge { wave: &wave, signals: Vec::new(), difference: None };
+    held_against(&icarus(design, ticks), name, design)
+}
+
+/// Runs a design here and holds it against what Icarus wrote of it; an error tells the first net and tick on which they
+/// differ.
+pub fn held_against(wave: &Wave, name: &str, design: &Design) -> Result<(), String> {
+    let mut judge = Judge { wave, signals: Vec::new(), difference: None };
     let mut run = design.start_with(vec![Box::new(&mut judge)]).map_err(|report| report.to_string())?;
     run.finish().map_err(|report| report.to_string())?;
     drop(run);
@@ -41,7 +46,8 @@ pub fn judge(name: &str, design: &Design) -> Result<(), String> {
     judge.difference.map_or(Ok(()), |difference| Err(format!("{name}, {difference}")))
 }
 
-fn icarus(design: &Design, ticks: u64) -> Wave {
+/// What Icarus makes of an exported design, so many ticks.
+pub fn icarus(design: &Design, ticks: u64) -> Wave {
     let folder = tempfile::tempdir().expect("a folder");
     for file in export::files(design.netlist(), design.stimulus(), ticks) {
         std::fs::write(folder.path().join(&file.name), &file.text).expect("a file");

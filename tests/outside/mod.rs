@@ -2,6 +2,7 @@
 
 mod blocks;
 mod circuits;
+mod composites;
 mod duts;
 mod goldens;
 mod images;

@@ -4,7 +4,6 @@ mod places;
 mod verdict;
 
 use std::fmt::Write as _;
-use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
@@ -15,8 +14,8 @@ use super::drivers::drivers;
 use super::observers::selection;
 use super::{Ending, check_files, complain, print, say};
 use crate::base::{Diagnostic, Report};
-use crate::files;
-use crate::golden::{self, Diff, Input, Summary, Waveform};
+use crate::files::{self, Scratch};
+use crate::golden::{self, Diff, Input, Summary};
 use crate::simulation::{Design, EngineKind, Session};
 use crate::trace::{VCD, Wave};
 use verdict::{Kind, Verdict};
@@ -69,11 +68,6 @@ fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> (Verdict, Option<R
     (verdict, report)
 }
 
-fn read_waveform(path: &Path) -> Result<Waveform, Report> {
-    let file = std::fs::File::open(path).map_err(|error| files::unreadable(path, &files::reason(&error)))?;
-    golden::read(&path.display().to_string(), io::BufReader::new(file))
-}
-
 fn how_to_bless(scenario: &Path) -> String {
     format!("to accept what came out: stepwright check --bless {}", scenario.display())
 }
@@ -81,8 +75,7 @@ fn how_to_bless(scenario: &Path) -> String {
 /// A scenario that has been run and traced.
 struct Ran {
     design: Design,
-    vcd: Vec<u8>,
-    waveform: Waveform,
+    trace: Scratch,
     ticks: u64,
     failed: Vec<String>,
     engine: &'static str,
@@ -91,23 +84,28 @@ struct Ran {
 impl Ran {
     fn session(session: Session) -> Result<Self, Report> {
         let design = session.elaborate()?;
-        let mut vcd = Vec::new();
-        let wave = Wave::new(VCD, Box::new(Cursor::new(&mut vcd))).of(selection(&[], design.scenario())?);
+        let trace = Scratch::create()?;
+        let wave = Wave::new(VCD, trace.writer()).of(selection(&[], design.scenario())?);
         let mut run = design.start_with(vec![Box::new(wave)])?;
         let outcome = run.finish()?;
         let failed = run.failed_expectations(&design.scenario().expect, &outcome);
         let engine = run.engine();
         drop(run);
-        let waveform = golden::read("the run", vcd.as_slice())?;
-        Ok(Self { vcd, waveform, ticks: outcome.ticks, failed, engine, design })
+        Ok(Self { trace, ticks: outcome.ticks, failed, engine, design })
+    }
+
+    fn input(&self) -> Input {
+        let trace = self.trace.clone();
+        Input::new("the run", move || Ok(trace.reader()))
     }
 
     /// Compares with the golden trace and the expectations.
     fn judge(self, verdict: &mut Verdict) -> Result<(), Report> {
         let golden = &verdict.golden;
-        let mut wrong = self.failed.clone();
+        let (mut wrong, mut signals) = (self.failed.clone(), 0);
         if golden.is_file() {
-            let found = golden::check(&Input::file(golden), &Input::bytes("the run", self.vcd.clone()))?;
+            let found = golden::check(&Input::file(golden), &self.input())?;
+            signals = found.comparison.nets;
             verdict.first = found.comparison.divergence.as_ref().map_or(Value::Null, first);
             if !found.comparison.is_equal() {
                 wrong.push(self.explain(&found, &verdict.scenario, golden));
@@ -117,7 +115,7 @@ impl Ran {
         }
         verdict.kind = if wrong.is_empty() { Kind::Equal } else { Kind::Different };
         verdict.text = match wrong.as_slice() {
-            [] => format!("{} ticks, {} signals", self.ticks, self.waveform.names().count()),
+            [] => format!("{} ticks, {signals} signals", self.ticks),
             wrong => wrong.join("\n"),
         };
         verdict.failed = self.failed;
@@ -133,8 +131,8 @@ impl Ran {
             (verdict.kind, verdict.failed) = (Kind::Different, self.failed);
             return Ok(());
         }
-        let old = if golden.is_file() { Some(read_waveform(golden)?) } else { None };
-        let summary = Summary::new(old.as_ref(), &self.waveform);
+        let old = golden.is_file().then(|| Input::file(golden));
+        let summary = Summary::of(old.as_ref(), &self.input())?;
         if summary.is_unchanged() {
             (verdict.kind, verdict.text) = (Kind::Equal, "unchanged".to_owned());
             return Ok(());
@@ -142,7 +140,7 @@ impl Ran {
         if let Some(folder) = golden.parent() {
             std::fs::create_dir_all(folder).map_err(|error| files::unwritable(golden, &error))?;
         }
-        files::write_bytes(golden, &self.vcd)?;
+        files::copy(&mut self.trace.reader(), golden)?;
         verdict.text = format!("{}: {summary}", golden.display());
         verdict.kind = Kind::Blessed;
         Ok(())

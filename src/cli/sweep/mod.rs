@@ -20,7 +20,7 @@ use crate::simulation::Design;
 use description::Description;
 use ranges::Over;
 use rows::{Format, Rows};
-use stimuli::Stimuli;
+pub use stimuli::Stimuli;
 
 /// Arguments of `sweep`.
 #[derive(Args, Debug)]
