@@ -5,12 +5,13 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
+use rayon::prelude::*;
 use stepwright::files;
 use stepwright::simulation::{EngineKind, shipped};
 
 #[test]
 fn every_scenario_equals_its_golden_trace_on_every_engine() {
-    for engine in EngineKind::ALL {
+    EngineKind::ALL.into_par_iter().for_each(|engine| {
         let output = Command::new(env!("CARGO_BIN_EXE_stepwright"))
             .current_dir(env!("CARGO_MANIFEST_DIR"))
             .args(["check", "--engine", engine.name()])
@@ -21,7 +22,7 @@ fn every_scenario_equals_its_golden_trace_on_every_engine() {
         let all = shipped::names("toml").count();
         let tally = format!("{all} equal, 0 blessed, 0 different, 0 broken");
         assert_eq!(text.lines().last(), Some(tally.as_str()), "{engine}:\n{text}");
-    }
+    });
 }
 
 #[test]

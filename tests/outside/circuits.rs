@@ -1,9 +1,10 @@
-//! Icarus and the interpreter agree on every net and every tick of every scenario.
+//! Icarus agrees on every net and every tick of every scenario with what `run` runs: the interpreter where it is short,
+//! native code where it is long.
 
 use rayon::prelude::*;
 use stepwright::base::{Report, Signal, ValueId};
 use stepwright::export;
-use stepwright::simulation::{Design, EngineKind, Session, shipped};
+use stepwright::simulation::{Design, Session, shipped};
 use stepwright::trace::{Frame, Observer};
 
 use super::tools;
@@ -24,7 +25,7 @@ fn icarus_agrees_on_every_net_and_tick_of_every_scenario() {
 
 /// Runs a scenario here and there.
 fn judge_scenario(name: &str) -> Result<(), String> {
-    let design = Session::open(name).and_then(|session| session.engine(EngineKind::Interpreter).elaborate());
+    let design = Session::open(name).and_then(Session::elaborate);
     judge(name, &design.map_err(|report| report.to_string())?)
 }
 
