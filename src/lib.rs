@@ -71,6 +71,8 @@ pub mod files;
 pub mod golden;
 pub mod host;
 pub mod netlist;
+#[cfg(feature = "pictures")]
+pub mod picture;
 pub mod scenario;
 pub mod simulation;
 pub mod trace;

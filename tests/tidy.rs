@@ -15,6 +15,7 @@ const MAY_IMPORT: &[(&str, Option<&[&str]>)] = &[
     ("files", Some(&["base"])),
     ("trace", Some(&["base", "files"])),
     ("golden", Some(&["base"])),
+    ("picture", Some(&["base", "files"])),
     ("export", Some(&["base", "blocks", "netlist", "scenario"])),
     // The front door puts the rooms together; only the command line stands before it.
     ("simulation", Some(&["base", "blocks", "netlist", "compile", "engine", "files", "scenario", "trace"])),
