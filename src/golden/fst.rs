@@ -9,7 +9,7 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use fst_reader::{FstFilter, FstHierarchyEntry, FstReader, FstSignalValue, FstVarType};
 
 use super::declared::{Declared, Declaring, Kind, Signal, SignalId};
-use super::fst_blocks;
+use super::fst_blocks::{self, MOST_SIGNALS};
 use super::source::Source;
 use super::state::State;
 use crate::base::{Diagnostic, Report};
@@ -169,14 +169,12 @@ fn declared<R: BufRead + Seek>(name: &str, reader: &mut FstReader<R>) -> Result<
             wrong = declare(&mut declaring, &mut handles, entry).err();
         }
     });
-    read.map_err(|error| broken(name, &error))?;
-    match wrong {
-        Some(mut diagnostic) => {
-            diagnostic.message = format!("{name}: {}", diagnostic.message);
-            Err(diagnostic)
-        }
-        None => Ok((declaring.finish(), handles)),
+    if let Some(mut diagnostic) = wrong {
+        diagnostic.message = format!("{name}: {}", diagnostic.message);
+        return Err(diagnostic);
     }
+    read.map_err(|error| broken(name, &error))?;
+    Ok((declaring.finish(), handles))
 }
 
 fn declare(declaring: &mut Declaring, handles: &mut Handles, entry: FstHierarchyEntry) -> Result<(), Diagnostic> {
@@ -191,6 +189,9 @@ fn declare(declaring: &mut Declaring, handles: &mut Handles, entry: FstHierarchy
             };
             let alias = handles.get(handle.get_index()).copied().flatten();
             let id = declaring.variable(signal, alias, &name)?;
+            if handle.get_index() as u64 >= MOST_SIGNALS {
+                return Err(Diagnostic::new("W020", format!("`{name}` stands for a signal that no file has room for")));
+            }
             handles.resize(handles.len().max(handle.get_index() + 1), None);
             handles[handle.get_index()] = Some(id);
             Ok(())

@@ -20,7 +20,7 @@ const MOST_VALUES: u64 = 512 << 20;
 const MOST_TIMES: u64 = 1 << 25;
 
 /// Signals: some 40 bytes are taken for each.
-const MOST_SIGNALS: u64 = 1 << 22;
+pub(super) const MOST_SIGNALS: u64 = 1 << 22;
 
 /// Bits of all signals, as the declarations are limited to.
 const MOST_BITS: u64 = 64 * MOST_WORDS as u64;

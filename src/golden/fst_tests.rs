@@ -63,6 +63,14 @@ fn a_size_that_cannot_be_is_refused_before_memory_is_taken() {
     assert!(report.contains("error[W020]") && report.contains("it was cut off"), "{report}");
 }
 
+#[test]
+fn a_name_for_a_signal_that_cannot_be_is_refused_before_memory_is_taken() {
+    // Found by fuzzing: a variable whose signal has number 2^28 - 1.
+    let far: &[u8] = include_bytes!("../../fuzz/seeds/fst/far_signal.fst");
+    let report = read("far.fst", far).expect_err("it is forged").to_string();
+    assert!(report.contains("error[W020]: far.fst: `channel_2") && report.contains("no file has room for"), "{report}");
+}
+
 proptest! {
     #[test]
     fn no_change_of_an_fst_ends_in_a_panic(at in 0..KINDS.len(), with: u8, cut in 0..KINDS.len()) {
