@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand};
 
 use super::completions;
@@ -242,7 +242,7 @@ pub struct RunArguments {
 
 /// An engine by its name; `clap` lists the names and suggests the nearest.
 fn engine() -> impl TypedValueParser<Value = EngineKind> {
-    PossibleValuesParser::new(EngineKind::ALL.map(EngineKind::name))
+    PossibleValuesParser::new(EngineKind::all().map(|kind| PossibleValue::new(kind.name()).help(kind.doc())))
         .try_map(|name| name.parse::<EngineKind>().map_err(|error| error.message))
 }
 

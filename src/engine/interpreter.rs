@@ -3,10 +3,18 @@
 use std::sync::Arc;
 
 use super::pulses::PulseMeter;
-use super::{Engine, Pulses};
+use super::{Engine, EngineFormat, Pulses};
 use crate::base::graph::evaluate;
 use crate::base::{Op, ValueId};
 use crate::compile::Program;
+
+/// The interpreter by its name.
+pub(super) static ENGINE: EngineFormat = EngineFormat {
+    name: "interpreter",
+    doc: "One op after another: starts at once",
+    runs_many: false,
+    build: |program, _| Ok(Box::new(Interpreter::new(program))),
+};
 
 /// Runs a program op by op, through the one definition of each op.
 #[derive(Clone, Debug)]
@@ -98,7 +106,7 @@ impl Interpreter {
 
 impl Engine for Interpreter {
     fn name(&self) -> &'static str {
-        "interpreter"
+        ENGINE.name
     }
 
     fn set_input(&mut self, input: usize, word: u64) {

@@ -1,7 +1,9 @@
 //! Engines: they run a program tick by tick, and know nothing of traces.
 
+mod auto;
 pub mod batch;
 mod choose;
+mod format;
 mod interpreter;
 #[cfg(feature = "lanes")]
 mod lanes;
@@ -11,6 +13,7 @@ mod native;
 mod pulses;
 
 pub use choose::{EngineKind, all, not_built_in};
+pub use format::{Build, EngineFormat};
 pub use interpreter::Interpreter;
 #[cfg(feature = "lanes")]
 pub use lanes::{LanesEngine, Path as LanesPath};

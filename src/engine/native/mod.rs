@@ -20,9 +20,17 @@ use self::host::{Assembler, Code};
 use self::memory::{Layout, Memory};
 use self::reads::Reads;
 use self::shared::Schedule;
-use super::{Engine, Pulses};
+use super::{Engine, EngineFormat, Pulses};
 use crate::base::{Diagnostic, Op, ValueId};
 use crate::compile::Program;
+
+/// The native engine by its name.
+pub(super) static ENGINE: EngineFormat = EngineFormat {
+    name: "native",
+    doc: "Machine code, for one long run",
+    runs_many: false,
+    build: |program, _| Ok(Box::new(Native::new(program)?)),
+};
 
 /// Runs a program as machine code.
 ///
@@ -134,7 +142,7 @@ fn stored(program: &Program, counters: &[Counter]) -> Vec<bool> {
 
 impl Engine for Native {
     fn name(&self) -> &'static str {
-        "native"
+        ENGINE.name
     }
 
     fn set_input(&mut self, input: usize, word: u64) {
