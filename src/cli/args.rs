@@ -235,6 +235,9 @@ pub struct RunArguments {
     /// Draw the path, as is done anyway without --json
     #[arg(long)]
     pub plot: bool,
+    /// Tell on standard error what the specialised native code runs
+    #[arg(long)]
+    pub stats: bool,
     /// Print the result as one JSON object, with the table and the path where they are asked for
     #[arg(long)]
     pub json: bool,

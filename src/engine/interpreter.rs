@@ -35,11 +35,19 @@ impl Interpreter {
     #[must_use]
     pub fn new(program: Arc<Program>) -> Self {
         let graph = &program.graph;
+        let inputs = vec![0; program.inputs.len()];
+        let registers = graph.registers.iter().map(|register| register.init).collect();
+        let rams = graph.rams.iter().map(|ram| ram.image.words().to_vec()).collect();
+        Self::standing(program, inputs, registers, rams)
+    }
+
+    /// Puts `program` at some tick; pulses are counted from there on.
+    pub(super) fn standing(program: Arc<Program>, inputs: Vec<u64>, registers: Vec<u64>, rams: Vec<Vec<u64>>) -> Self {
         let mut engine = Self {
-            values: vec![0; graph.nodes.len()],
-            inputs: vec![0; program.inputs.len()],
-            registers: graph.registers.iter().map(|register| register.init).collect(),
-            rams: graph.rams.iter().map(|ram| ram.image.words().to_vec()).collect(),
+            values: vec![0; program.graph.nodes.len()],
+            inputs,
+            registers,
+            rams,
             watched: Vec::new(),
             pulses: PulseMeter::new(program.pulses.len()),
             counted: program.counted().collect(),

@@ -11,6 +11,7 @@ mod lockstep;
 #[cfg(feature = "native")]
 mod native;
 mod pulses;
+mod stats;
 
 pub use choose::{EngineKind, all, not_built_in};
 pub use format::{Build, EngineFormat};
@@ -21,6 +22,7 @@ pub use lockstep::{Difference, Lockstep};
 #[cfg(feature = "native")]
 pub use native::Native;
 pub use pulses::Pulses;
+pub use stats::{Stats, Work};
 
 use crate::base::ValueId;
 
@@ -57,4 +59,9 @@ pub trait Engine {
     /// Reads the watched values in their order. One call for all that a trace wants of a tick, because a call for each
     /// would cost more than the tick.
     fn read(&self, words: &mut [u64]);
+
+    /// What specialised code runs, where there is any.
+    fn stats(&self) -> Option<&Stats> {
+        None
+    }
 }
