@@ -20,7 +20,7 @@ fn single_run(c: &mut Criterion) {
     let mut group = c.benchmark_group("single run");
     group.throughput(Throughput::Elements(TICKS));
     let program = program(&single());
-    for kind in EngineKind::ALL.into_iter().filter(|kind| *kind != EngineKind::Auto) {
+    for kind in EngineKind::all().filter(|kind| *kind != EngineKind::AUTO) {
         let mut engine = kind.build(Arc::clone(&program), u64::MAX).expect("an engine for this machine");
         group.bench_function(kind.name(), |b| b.iter(|| engine.advance(black_box(TICKS), false)));
     }
@@ -31,7 +31,7 @@ fn single_run(c: &mut Criterion) {
 fn load(c: &mut Criterion) {
     let mut group = c.benchmark_group("text to first tick");
     let text = single();
-    for kind in [EngineKind::Interpreter, EngineKind::Native] {
+    for kind in EngineKind::all().filter(|kind| ["interpreter", "native"].contains(&kind.name())) {
         group.bench_function(kind.name(), |b| {
             b.iter(|| {
                 let mut engine = kind.build(program(black_box(&text)), u64::MAX).expect("an engine for this machine");

@@ -52,13 +52,24 @@ proptest! {
     }
 
     #[test]
+    fn specialised_code_agrees_with_the_interpreter_whatever_its_profile_was(
+        recipe in recipes(60), stimulus in stimuli(20), stride in 1..9_u64
+    ) {
+        // The profile is that of the first ticks, before inputs change.
+        let program = Arc::new(compile_graph(grow(&recipe)));
+        let native = Native::eager(Arc::clone(&program)).expect("native code");
+        agree(&program, Box::new(native), &stimulus, stride)?;
+    }
+
+    #[test]
     fn engines_agree_on_random_circuit_files(draft in drafts(12), stimulus in stimuli(12), stride in 1..5_u64) {
         let text = write(&draft);
         let shelf = Shelf { near: "random" };
         let netlist = load("random.v", &text, None, &shelf, &[]);
         let netlist = netlist.map_err(|report| TestCaseError::fail(format!("{}\n{text}", report.render(false))))?;
         let program = Arc::new(compile(&netlist, &Observe::EVERYTHING));
-        for engine in all(&program) {
+        let eager: Box<dyn Engine> = Box::new(Native::eager(Arc::clone(&program)).expect("native code"));
+        for engine in all(&program).into_iter().chain([eager]) {
             let agreed = agree(&program, engine, &stimulus, stride);
             agreed.map_err(|difference| TestCaseError::fail(format!("{difference}\n{text}")))?;
         }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use rayon::prelude::*;
 use stepwright::base::{Port, StoppedBy, word};
-use stepwright::simulation::{Batch, Design, EngineKind, Session, shipped};
+use stepwright::simulation::{Batch, Design, Session, shipped};
 
 /// All words of a short input; of a longer one the ends of its range, and the longest coefficient that a multiplier of
 /// the circuit's WIDTH takes, because it may refuse longer ones at once.
@@ -38,7 +38,8 @@ const HOLDING: [&str; 2] = ["hold", "inhibit"];
 
 /// Moves the inputs that the scenario does not work itself, one after another, to the edge with which it runs longest.
 fn judge(name: &str) {
-    let design = Session::open(name).and_then(|session| session.engine(EngineKind::Native).elaborate());
+    let design =
+        Session::open(name).and_then(|session| session.engine("native".parse().expect("an engine")).elaborate());
     let design = design.unwrap_or_else(|report| panic!("{report}"));
     let batch = design.batch();
     let mut held = design.stimulus().initial.clone();

@@ -35,6 +35,7 @@ mod outside;
 mod pages;
 mod ranges;
 mod simulation;
+mod specialised;
 /// The linear interpolator of SU 1522157 and its multiplexer.
 mod su1522157;
 /// What several concerns need.

@@ -46,9 +46,9 @@ impl Observer for Words {
 /// Runs freely and observed, on every engine; all must agree. Returns the outcome and `start` at every tick.
 fn run(rest: &str) -> (Outcome, Vec<(u64, u64)>) {
     let mut words = Words("start", Vec::new());
-    let design = frame(rest).engine(EngineKind::Interpreter).elaborate().expect("a design");
+    let design = frame(rest).engine(EngineKind::INTERPRETER).elaborate().expect("a design");
     let outcome = design.start_with(vec![Box::new(&mut words)]).expect("a run").finish().expect("nothing is written");
-    for kind in EngineKind::ALL {
+    for kind in EngineKind::all() {
         let design = frame(rest).engine(kind).elaborate().expect("a design");
         let freely = design.start_with(Vec::new()).expect("an engine").finish();
         assert_eq!(freely.expect("nothing is written"), outcome, "{kind}");
@@ -215,7 +215,7 @@ fn an_observer_that_fails_ends_the_run_with_its_error() {
 fn watched_values_read_together_are_those_read_one_by_one() {
     let program = Arc::new(compile(frame("").elaborate().expect("a design").netlist(), &Observe::EVERYTHING));
     let ids = program.observed();
-    for kind in EngineKind::ALL {
+    for kind in EngineKind::all() {
         let mut engine = kind.build(Arc::clone(&program), 100).expect("an engine");
         engine.watch(&ids);
         engine.set_input(0, 1);

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand};
 
 use super::completions;
@@ -235,6 +235,9 @@ pub struct RunArguments {
     /// Draw the path, as is done anyway without --json
     #[arg(long)]
     pub plot: bool,
+    /// Tell on standard error what the specialised native code runs
+    #[arg(long)]
+    pub stats: bool,
     /// Print the result as one JSON object, with the table and the path where they are asked for
     #[arg(long)]
     pub json: bool,
@@ -242,7 +245,7 @@ pub struct RunArguments {
 
 /// An engine by its name; `clap` lists the names and suggests the nearest.
 fn engine() -> impl TypedValueParser<Value = EngineKind> {
-    PossibleValuesParser::new(EngineKind::ALL.map(EngineKind::name))
+    PossibleValuesParser::new(EngineKind::all().map(|kind| PossibleValue::new(kind.name()).help(kind.doc())))
         .try_map(|name| name.parse::<EngineKind>().map_err(|error| error.message))
 }
 

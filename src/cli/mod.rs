@@ -12,6 +12,7 @@ mod observers;
 mod result;
 mod run;
 mod show;
+mod stats;
 mod sweep;
 
 use std::io::{self, IsTerminal, Write};

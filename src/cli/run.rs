@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::args::RunArguments;
 use super::observers::Observers;
-use super::{Ending, check_files, interrupt, result, say};
+use super::{Ending, check_files, interrupt, result, say, stats};
 use crate::base::Report;
 use crate::simulation::StoppedBy;
 
@@ -15,6 +15,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<Ending, Report> {
     result::warnings(&design).iter().for_each(|warning| say(&format!("warning: {warning}")));
     let mut run = design.start_with(observers.all()?)?.cancelled_by(interrupt::flag());
     let outcome = run.finish()?;
+    if arguments.stats {
+        say(&stats::table(run.engine(), run.stats()));
+    }
     let failed = run.failed_expectations(&design.scenario().expect, &outcome);
     drop(run);
     result::show(arguments, &design, &observers, &outcome)?;

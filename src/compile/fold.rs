@@ -39,17 +39,6 @@ struct Folder {
 }
 
 impl Folder {
-    fn node(&self, id: ValueId) -> Node {
-        self.nodes[id.index()]
-    }
-
-    fn constant(&self, id: ValueId) -> Option<u64> {
-        match self.node(id).op {
-            Op::Const(value) => Some(value),
-            _ => None,
-        }
-    }
-
     fn push(&mut self, node: Node, owner: OwnerId) -> ValueId {
         *self.known.entry((node, owner)).or_insert_with(|| {
             self.nodes.push(node);
@@ -59,13 +48,48 @@ impl Folder {
     }
 
     fn simplify(&mut self, node: Node, owner: OwnerId) -> ValueId {
-        if let Some(value) = self.computed(node) {
-            return self.push(Node { op: Op::Const(value), width: node.width }, owner);
+        match simplify(&self.nodes, node) {
+            Simple::Constant(value) => self.push(Node { op: Op::Const(value), width: node.width }, owner),
+            Simple::Same(same) => same,
+            Simple::Op => self.push(node, owner),
         }
-        if let Some(same) = self.idle(node) {
-            return same;
+    }
+}
+
+/// What an op comes to, given what its operands are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Simple {
+    /// A constant: all its operands are.
+    Constant(u64),
+    /// It only passes on this value.
+    Same(ValueId),
+    /// Itself.
+    Op,
+}
+
+/// What `node` comes to, whose operands are among `nodes`.
+#[must_use]
+pub fn simplify(nodes: &[Node], node: Node) -> Simple {
+    let operands = Operands(nodes);
+    if let Some(value) = operands.computed(node) {
+        return Simple::Constant(value);
+    }
+    operands.idle(node).map_or(Simple::Op, Simple::Same)
+}
+
+/// The nodes that operands are among.
+struct Operands<'a>(&'a [Node]);
+
+impl Operands<'_> {
+    fn node(&self, id: ValueId) -> Node {
+        self.0[id.index()]
+    }
+
+    fn constant(&self, id: ValueId) -> Option<u64> {
+        match self.node(id).op {
+            Op::Const(value) => Some(value),
+            _ => None,
         }
-        self.push(node, owner)
     }
 
     /// The value when all operands are constants.

@@ -8,6 +8,7 @@ mod levelize;
 mod observe;
 mod program;
 
+pub use fold::{Simple, simplify};
 pub use observe::{Observe, Until};
 pub use program::{Owner, OwnerId, Program};
 

@@ -1,93 +1,69 @@
-//! The engines by name, and which one suits a piece of work.
+//! The engines by name. Adding one is its file and its line in [`ENGINES`].
 
 use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use super::{Engine, Interpreter};
+use super::format::EngineFormat;
+use super::{Engine, auto, interpreter};
 use crate::base::Diagnostic;
 use crate::compile::Program;
 
-/// An engine as it is asked for.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum EngineKind {
-    /// One op after another: starts at once.
-    Interpreter,
-    /// Machine code for one long run.
-    Native,
-    /// Bit planes for many stimuli at once ([`super::batch`]); for one run only to be compared with the others.
-    Lanes,
-    /// Whatever suits the work: see [`EngineKind::resolve`].
-    Auto,
-}
+/// Every engine, in the order of the command line's help.
+static ENGINES: &[&EngineFormat] = &[
+    &interpreter::ENGINE,
+    #[cfg(feature = "native")]
+    &super::native::ENGINE,
+    #[cfg(feature = "lanes")]
+    &super::lanes::ENGINE,
+    #[cfg(not(feature = "native"))]
+    &absent("native", |_, _| Err(not_built_in("native"))),
+    #[cfg(not(feature = "lanes"))]
+    &absent("lanes", |_, _| Err(not_built_in("lanes"))),
+    &auto::ENGINE,
+];
 
-/// Ticks from which compiling pays.
-///
-/// Measured: for each op the interpreter takes about 10 ns a tick and Cranelift about 10 us once.
-const COMPILE_PAYS: u64 = 1_000;
+/// An engine as it is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct EngineKind(&'static EngineFormat);
 
 impl EngineKind {
-    /// Every kind, in the order of the command line's help.
-    pub const ALL: [EngineKind; 4] = [EngineKind::Interpreter, EngineKind::Native, EngineKind::Lanes, EngineKind::Auto];
+    /// Whatever suits the work.
+    pub const AUTO: EngineKind = EngineKind(&auto::ENGINE);
+    /// The plain twin of all others.
+    pub const INTERPRETER: EngineKind = EngineKind(&interpreter::ENGINE);
+
+    /// Every kind, [`EngineKind::AUTO`] last.
+    pub fn all() -> impl Iterator<Item = EngineKind> {
+        ENGINES.iter().copied().map(EngineKind)
+    }
 
     /// Its name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            EngineKind::Interpreter => "interpreter",
-            EngineKind::Native => "native",
-            EngineKind::Lanes => "lanes",
-            EngineKind::Auto => "auto",
-        }
+        self.0.name
     }
 
-    /// The kind that runs `ticks` ticks (at most) of one stimulus soonest, compilation included; itself if it is
-    /// not `Auto`.
+    /// What it is for.
     #[must_use]
-    pub fn resolve(self, ticks: u64) -> EngineKind {
-        match self {
-            EngineKind::Auto if ticks < COMPILE_PAYS => EngineKind::Interpreter,
-            EngineKind::Auto => EngineKind::Native,
-            kind => kind,
-        }
+    pub fn doc(self) -> &'static str {
+        self.0.doc
     }
 
-    /// An engine for `program`, at tick 0. `Auto` falls back to the interpreter when there is no native code for
-    /// this machine.
+    /// Whether a batch on it runs many stimuli at once.
+    #[must_use]
+    pub fn runs_many(self) -> bool {
+        self.0.runs_many
+    }
+
+    /// An engine for `program`, at tick 0, that will run `ticks` ticks of one stimulus at most.
     ///
     /// # Errors
     /// When an engine was asked for by name and cannot be made: `E001` for want of native code on this machine, `E003` it
     /// was not built in, `E004` and `E005` for want of room.
     pub fn build(self, program: Arc<Program>, ticks: u64) -> Result<Box<dyn Engine>, Diagnostic> {
-        match self.resolve(ticks) {
-            EngineKind::Interpreter => Ok(Box::new(Interpreter::new(program))),
-            EngineKind::Lanes => lanes(&program),
-            EngineKind::Native | EngineKind::Auto => match native(&program) {
-                Err(_) if self == EngineKind::Auto => Ok(Box::new(Interpreter::new(program))),
-                made => made,
-            },
-        }
+        (self.0.build)(program, ticks)
     }
-}
-
-#[cfg(feature = "native")]
-fn native(program: &Arc<Program>) -> Result<Box<dyn Engine>, Diagnostic> {
-    Ok(Box::new(super::Native::new(Arc::clone(program))?))
-}
-
-#[cfg(not(feature = "native"))]
-fn native(_: &Arc<Program>) -> Result<Box<dyn Engine>, Diagnostic> {
-    Err(not_built_in("native"))
-}
-
-#[cfg(feature = "lanes")]
-fn lanes(program: &Program) -> Result<Box<dyn Engine>, Diagnostic> {
-    Ok(Box::new(super::LanesEngine::new(program)?))
-}
-
-#[cfg(not(feature = "lanes"))]
-fn lanes(_: &Program) -> Result<Box<dyn Engine>, Diagnostic> {
-    Err(not_built_in("lanes"))
 }
 
 /// The diagnostic for an engine that the crate was built without.
@@ -97,12 +73,26 @@ pub fn not_built_in(engine: &str) -> Diagnostic {
         .help(format!("build it with the feature `{engine}`, or take another engine"))
 }
 
+/// A name that is known, though there is no such engine here.
+#[cfg(not(all(feature = "native", feature = "lanes")))]
+const fn absent(name: &'static str, build: super::format::Build) -> EngineFormat {
+    EngineFormat { name, doc: "not built in", runs_many: false, build }
+}
+
 /// A new engine of every kind that runs on this machine, at tick 0: what a test of all engines goes through.
 #[must_use]
 pub fn all(program: &Arc<Program>) -> Vec<Box<dyn Engine>> {
-    let kinds = EngineKind::ALL.into_iter().filter(|kind| *kind != EngineKind::Auto);
+    let kinds = EngineKind::all().filter(|kind| *kind != EngineKind::AUTO);
     kinds.filter_map(|kind| kind.build(Arc::clone(program), u64::MAX).ok()).collect()
 }
+
+impl PartialEq for EngineKind {
+    fn eq(&self, other: &Self) -> bool {
+        self.name() == other.name()
+    }
+}
+
+impl Eq for EngineKind {}
 
 impl fmt::Display for EngineKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -114,11 +104,10 @@ impl FromStr for EngineKind {
     type Err = Diagnostic;
 
     fn from_str(name: &str) -> Result<Self, Diagnostic> {
-        let found = Self::ALL.into_iter().find(|kind| kind.name() == name);
-        found.ok_or_else(|| {
-            let names = Self::ALL.map(Self::name);
+        Self::all().find(|kind| kind.name() == name).ok_or_else(|| {
+            let names: Vec<_> = Self::all().map(Self::name).collect();
             let unknown = Diagnostic::new("E002", format!("there is no engine `{name}`"));
-            unknown.nearest(name, names).help(format!("engines: {}", names.join(", ")))
+            unknown.nearest(name, names.iter().copied()).help(format!("engines: {}", names.join(", ")))
         })
     }
 }
@@ -129,7 +118,7 @@ mod tests {
 
     #[test]
     fn every_engine_is_found_by_its_name() {
-        for kind in EngineKind::ALL {
+        for kind in EngineKind::all() {
             assert_eq!(kind.name().parse(), Ok(kind));
         }
     }
@@ -139,12 +128,5 @@ mod tests {
         let error = "nativ".parse::<EngineKind>().expect_err("no such engine");
         assert_eq!(error.code, "E002");
         assert!(error.help.iter().any(|line| line.contains("`native`")), "{error:?}");
-    }
-
-    #[test]
-    fn auto_interprets_what_is_over_before_it_could_be_compiled() {
-        assert_eq!(EngineKind::Auto.resolve(100), EngineKind::Interpreter);
-        assert_eq!(EngineKind::Auto.resolve(1_000_000), EngineKind::Native);
-        assert_eq!(EngineKind::Native.resolve(1), EngineKind::Native);
     }
 }

@@ -3,10 +3,18 @@
 use std::sync::Arc;
 
 use super::pulses::PulseMeter;
-use super::{Engine, Pulses};
+use super::{Engine, EngineFormat, Pulses};
 use crate::base::graph::evaluate;
 use crate::base::{Op, ValueId};
 use crate::compile::Program;
+
+/// The interpreter by its name.
+pub(super) static ENGINE: EngineFormat = EngineFormat {
+    name: "interpreter",
+    doc: "One op after another: starts at once",
+    runs_many: false,
+    build: |program, _| Ok(Box::new(Interpreter::new(program))),
+};
 
 /// Runs a program op by op, through the one definition of each op.
 #[derive(Clone, Debug)]
@@ -27,11 +35,19 @@ impl Interpreter {
     #[must_use]
     pub fn new(program: Arc<Program>) -> Self {
         let graph = &program.graph;
+        let inputs = vec![0; program.inputs.len()];
+        let registers = graph.registers.iter().map(|register| register.init).collect();
+        let rams = graph.rams.iter().map(|ram| ram.image.words().to_vec()).collect();
+        Self::standing(program, inputs, registers, rams)
+    }
+
+    /// Puts `program` at some tick; pulses are counted from there on.
+    pub(super) fn standing(program: Arc<Program>, inputs: Vec<u64>, registers: Vec<u64>, rams: Vec<Vec<u64>>) -> Self {
         let mut engine = Self {
-            values: vec![0; graph.nodes.len()],
-            inputs: vec![0; program.inputs.len()],
-            registers: graph.registers.iter().map(|register| register.init).collect(),
-            rams: graph.rams.iter().map(|ram| ram.image.words().to_vec()).collect(),
+            values: vec![0; program.graph.nodes.len()],
+            inputs,
+            registers,
+            rams,
             watched: Vec::new(),
             pulses: PulseMeter::new(program.pulses.len()),
             counted: program.counted().collect(),
@@ -98,7 +114,7 @@ impl Interpreter {
 
 impl Engine for Interpreter {
     fn name(&self) -> &'static str {
-        "interpreter"
+        ENGINE.name
     }
 
     fn set_input(&mut self, input: usize, word: u64) {

@@ -1,7 +1,9 @@
 //! Engines: they run a program tick by tick, and know nothing of traces.
 
+mod auto;
 pub mod batch;
 mod choose;
+mod format;
 mod interpreter;
 #[cfg(feature = "lanes")]
 mod lanes;
@@ -9,8 +11,10 @@ mod lockstep;
 #[cfg(feature = "native")]
 mod native;
 mod pulses;
+mod stats;
 
 pub use choose::{EngineKind, all, not_built_in};
+pub use format::{Build, EngineFormat};
 pub use interpreter::Interpreter;
 #[cfg(feature = "lanes")]
 pub use lanes::{LanesEngine, Path as LanesPath};
@@ -18,6 +22,7 @@ pub use lockstep::{Difference, Lockstep};
 #[cfg(feature = "native")]
 pub use native::Native;
 pub use pulses::Pulses;
+pub use stats::{Stats, Work};
 
 use crate::base::ValueId;
 
@@ -54,4 +59,9 @@ pub trait Engine {
     /// Reads the watched values in their order. One call for all that a trace wants of a tick, because a call for each
     /// would cost more than the tick.
     fn read(&self, words: &mut [u64]);
+
+    /// What specialised code runs, where there is any.
+    fn stats(&self) -> Option<&Stats> {
+        None
+    }
 }

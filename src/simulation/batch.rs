@@ -40,7 +40,7 @@ pub struct Batch<'a> {
 }
 
 impl Design {
-    /// Many stimuli at once, on the engine that was chosen; [`EngineKind::Auto`] is the lanes engine on all cores.
+    /// Many stimuli at once, on the engine that was chosen; [`EngineKind::AUTO`] is the lanes engine on all cores.
     #[must_use]
     pub fn batch(&self) -> Batch<'_> {
         let program = compile(self.netlist(), &Observe { until: self.until(), pulses: true, ..Observe::OUTPUTS });
@@ -54,7 +54,7 @@ impl<'a> Batch<'a> {
     /// # Errors
     /// `C067` more than one for an engine that runs one stimulus after another.
     pub fn threads(self, threads: usize) -> Result<Self, Diagnostic> {
-        let has_lanes = cfg!(feature = "lanes") && matches!(self.engine, EngineKind::Auto | EngineKind::Lanes);
+        let has_lanes = cfg!(feature = "lanes") && self.engine.runs_many();
         if threads > 1 && !has_lanes {
             let message = format!("{threads} threads for the engine `{}`, which runs on one", self.engine.name());
             return Err(Diagnostic::new("C067", message).help("leave out --threads, or take the lanes engine"));
@@ -99,10 +99,7 @@ impl<'a> Batch<'a> {
     /// # Errors
     /// When the threads cannot be started or there is no such engine here.
     pub fn run(&self, feed: impl Feed, sink: impl Sink) -> Result<Done, Report> {
-        match self.engine {
-            EngineKind::Auto | EngineKind::Lanes => self.in_lanes(feed, sink),
-            EngineKind::Interpreter | EngineKind::Native => self.one_by_one(feed, sink),
-        }
+        if self.engine.runs_many() { self.in_lanes(feed, sink) } else { self.one_by_one(feed, sink) }
     }
 
     #[cfg(feature = "lanes")]
@@ -115,10 +112,7 @@ impl<'a> Batch<'a> {
 
     #[cfg(not(feature = "lanes"))]
     fn in_lanes(&self, feed: impl Feed, sink: impl Sink) -> Result<Done, Report> {
-        match self.engine {
-            EngineKind::Lanes => Err(crate::engine::not_built_in("lanes").into()),
-            _ => self.one_by_one(feed, sink),
-        }
+        self.one_by_one(feed, sink)
     }
 
     /// One stimulus after another, on one core.

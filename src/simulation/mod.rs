@@ -33,5 +33,5 @@ pub use session::Session;
 pub use stimulus::DEFAULT_LIMIT;
 
 pub use crate::base::StoppedBy;
-pub use crate::engine::EngineKind;
 pub use crate::engine::batch::{Done, Row};
+pub use crate::engine::{EngineKind, Stats};

@@ -10,7 +10,7 @@ use super::pace::Pace;
 use super::{Design, EngineKind, Outcome, Output};
 use crate::base::{Diagnostic, Port, Report, Signal, Stimulus, StopRule, StoppedBy, ValueId, word};
 use crate::compile::Program;
-use crate::engine::Engine;
+use crate::engine::{Engine, Stats};
 use crate::scenario::Number;
 use crate::trace::{Frame, Observer, Select};
 
@@ -184,6 +184,12 @@ impl<'o> Run<'o> {
     #[must_use]
     pub fn engine(&self) -> &'static str {
         self.engine.name()
+    }
+
+    /// What the engine's specialised code runs, where there is any.
+    #[must_use]
+    pub fn stats(&self) -> Option<&Stats> {
+        self.engine.stats()
     }
 
     /// The signals that can be read by name.

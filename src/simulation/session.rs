@@ -48,7 +48,7 @@ impl Circuit {
 
 impl Session {
     fn of(circuit: Circuit) -> Self {
-        Self { circuit, scenario: Scenario::default(), text: None, engine: EngineKind::Auto, observed: Select::all() }
+        Self { circuit, scenario: Scenario::default(), text: None, engine: EngineKind::AUTO, observed: Select::all() }
     }
 
     pub(super) fn of_scenario(circuit: Circuit, scenario: Scenario, text: Text) -> Self {
@@ -130,7 +130,7 @@ impl Session {
         self
     }
 
-    /// Chooses the engine; [`EngineKind::Auto`] is what suits the length of the run.
+    /// Chooses the engine; [`EngineKind::AUTO`] is what suits the length of the run.
     #[must_use]
     pub fn engine(self, engine: EngineKind) -> Self {
         Self { engine, ..self }

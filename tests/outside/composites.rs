@@ -51,7 +51,7 @@ fn all_engines_and_icarus_agree_on_the_composite_circuits_of_the_day() {
 /// Runs a circuit under random inputs on every engine, and holds each against Icarus on every net and tick.
 fn judge(text: &str, seed: u64) -> Result<(), String> {
     let mut wave = None;
-    for engine in EngineKind::ALL {
+    for engine in EngineKind::all() {
         let design = Circuit::text("random.v", text).session().engine(engine).elaborate();
         let design = design.map_err(|report| report.to_string())?;
         let widths: Vec<_> = design.inputs().map(|port| port.width).collect();

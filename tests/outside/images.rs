@@ -33,7 +33,7 @@ fn icarus_holds_every_word_and_pointer_of_the_shipped_image() {
     if !tools::present(&["iverilog", "vvp"]) {
         return;
     }
-    let session = Circuit::text("circuits/us3809868/image.v", CIRCUIT).session().engine(EngineKind::Interpreter);
+    let session = Circuit::text("circuits/us3809868/image.v", CIRCUIT).session().engine(EngineKind::INTERPRETER);
     let session = |ticks| session.clone().ticks(ticks).elaborate().unwrap_or_else(|report| panic!("{report}"));
     let depth =
         session(1).netlist().cells.iter().flat_map(|cell| &cell.body.graph.roms).map(|rom| rom.image.depth()).max();

@@ -6,7 +6,15 @@ use super::{Compiled, Machine, Path};
 use crate::base::{Diagnostic, ValueId};
 use crate::compile::Program;
 use crate::engine::pulses::PulseMeter;
-use crate::engine::{Engine, Pulses};
+use crate::engine::{Engine, EngineFormat, Pulses};
+
+/// The lanes engine by its name.
+pub(in crate::engine) static ENGINE: EngineFormat = EngineFormat {
+    name: "lanes",
+    doc: "Hundreds of stimuli at once, for a sweep",
+    runs_many: true,
+    build: |program, _| Ok(Box::new(LanesEngine::new(&program)?)),
+};
 
 /// Runs one stimulus in one lane. It gains nothing by that; it is there to be compared with the other engines.
 #[derive(Debug)]
@@ -78,7 +86,7 @@ impl LanesEngine {
 
 impl Engine for LanesEngine {
     fn name(&self) -> &'static str {
-        "lanes"
+        ENGINE.name
     }
 
     fn set_input(&mut self, input: usize, word: u64) {

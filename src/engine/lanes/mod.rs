@@ -25,6 +25,7 @@ mod words;
 
 pub(in crate::engine) use build::Compiled;
 pub use build::Path;
+pub(super) use engine::ENGINE;
 pub use engine::LanesEngine;
 pub(in crate::engine) use machine::Machine;
 

@@ -51,12 +51,15 @@ fn emit(
     b.ins().jump(head, &arguments);
 
     b.switch_to_block(head);
-    let outside = Everything { program, layout, areas, state: &state };
+    let loaded: Vec<_> = state.iter().copied().map(Some).collect();
+    let outside = Everything { program, layout, areas, state: &loaded };
     let mut emitter = Emitter::new(b, graph, outside);
     let hot = needed_every_tick(program);
     hot.iter().zip(0..).filter(|(hot, _)| **hot).for_each(|(_, i)| emitter.emit(ValueId::new(i)));
     let next: Vec<_> = graph.registers.iter().zip(&state).map(|(r, &q)| emitter.committed(r, q)).collect();
-    let writes: Vec<_> = (0..graph.rams.len()).map(|i| emitter.write(&graph.rams[i], RamId::new(i))).collect();
+    let writes: Vec<_> = (0..graph.rams.len())
+        .map(|i| emitter.write(&graph.rams[i].write, &graph.rams[i].image, RamId::new(i)))
+        .collect();
     let mut done = emitter.b.ins().icmp_imm_u(IntCC::Equal, left, 0);
     if let Some(stop) = program.stop {
         let stop = emitter.clean(stop);
@@ -109,21 +112,26 @@ fn needed_every_tick(program: &Program) -> Vec<bool> {
     needed
 }
 
-/// All that one function for the whole program does not compute: state in block parameters, inputs in memory.
-struct Everything<'a> {
-    program: &'a Program,
-    layout: &'a Layout,
-    areas: [Value; Area::COUNT],
-    state: &'a [Value],
+/// All that one function for the whole program does not compute: inputs in memory, state there or in block parameters.
+#[derive(Clone, Copy)]
+pub(super) struct Everything<'a> {
+    pub program: &'a Program,
+    pub layout: &'a Layout,
+    pub areas: [Value; Area::COUNT],
+    /// By register: its word, unless it stands in `Area::Now`.
+    pub state: &'a [Option<Value>],
 }
 
 impl Outside for Everything<'_> {
     fn fetch(&mut self, b: &mut FunctionBuilder<'_>, id: ValueId, width: u32) -> Value {
-        if let Op::Register(register) = self.program.graph.node(id).op {
-            return self.state[register.index()];
-        }
-        let place = self.layout.wires[&id] as i32;
-        b.ins().load(machine_type(width), MemFlagsData::trusted(), self.areas[Area::Wires as usize], place)
+        let (area, place) = match self.program.graph.node(id).op {
+            Op::Register(register) => match self.state[register.index()] {
+                Some(word) => return word,
+                None => (Area::Now, self.layout.registers[register.index()]),
+            },
+            _ => (Area::Wires, self.layout.wires[&id]),
+        };
+        b.ins().load(machine_type(width), MemFlagsData::trusted(), self.areas[area as usize], place as i32)
     }
 
     fn rom(&mut self, b: &mut FunctionBuilder<'_>, id: RomId) -> (Value, usize) {

@@ -1,10 +1,12 @@
 //! The memory that generated code works on: where each register, wire and memory word stands.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::word::machine_type;
 use crate::base::{Diagnostic, MemoryImage, Op, Rom, ValueId};
 use crate::compile::Program;
+use crate::engine::Interpreter;
 
 /// An area of the memory, as a place in what generated code is given.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -300,6 +302,17 @@ impl Memory {
                 self.rams.write(place, ram.image.width(), data);
             }
         }
+    }
+
+    /// An interpreter that stands where this memory does.
+    pub fn twin(&self, program: &Arc<Program>, layout: &Layout, inputs: &[u64]) -> Interpreter {
+        let registers = program.graph.registers.iter().zip(&layout.registers);
+        let registers = registers.map(|(register, &place)| self.now.read(Spot::new(place, register.width)));
+        let rams = program.graph.rams.iter().zip(&layout.rams).map(|(ram, &place)| {
+            let places = (place..).step_by(element_size(&ram.image)).take(ram.image.depth());
+            places.map(|place| self.rams.read(Spot::new(place, ram.image.width()))).collect()
+        });
+        Interpreter::standing(Arc::clone(program), inputs.to_vec(), registers.collect(), rams.collect())
     }
 
     /// A value that has a place, or a constant.

@@ -10,6 +10,7 @@ mod plan;
 mod reads;
 mod shape;
 mod shared;
+mod special;
 mod unit;
 mod word;
 
@@ -20,9 +21,18 @@ use self::host::{Assembler, Code};
 use self::memory::{Layout, Memory};
 use self::reads::Reads;
 use self::shared::Schedule;
-use super::{Engine, Pulses};
-use crate::base::{Diagnostic, Op, ValueId};
+use self::special::Special;
+use super::{Engine, EngineFormat, Pulses, Stats};
+use crate::base::{Diagnostic, Graph, Op, ValueId};
 use crate::compile::Program;
+
+/// The native engine by its name.
+pub(super) static ENGINE: EngineFormat = EngineFormat {
+    name: "native",
+    doc: "Machine code, for one long run",
+    runs_many: false,
+    build: |program, _| Ok(Box::new(Native::new(program)?)),
+};
 
 /// Runs a program as machine code.
 ///
@@ -34,6 +44,7 @@ pub struct Native {
     memory: Memory,
     code: Code,
     form: Form,
+    special: Special,
     /// Inputs as set; those in memory are as last settled.
     inputs: Vec<u64>,
     stale: bool,
@@ -71,6 +82,18 @@ impl Native {
         Self::in_form(program, true)
     }
 
+    /// Compiles `program` and specialises the code after its first ticks, whatever they were like.
+    ///
+    /// # Errors
+    /// As for [`Native::new`].
+    pub fn eager(program: Arc<Program>) -> Result<Self, Diagnostic> {
+        let mut engine = Self::new(program)?;
+        if let Form::Fused(_) = engine.form {
+            engine.special = Special::eager(&engine.program);
+        }
+        Ok(engine)
+    }
+
     fn in_form(program: Arc<Program>, shared: bool) -> Result<Self, Diagnostic> {
         let mut assembler = Assembler::new()?;
         let (program, counters) = count::with_counters(&program);
@@ -91,6 +114,7 @@ impl Native {
             stale: false,
             watched: Reads::default(),
             counters,
+            special: if shared { Special::never() } else { Special::new(&program) },
             program,
             layout,
             form,
@@ -101,6 +125,22 @@ impl Native {
 
     /// Settles the present tick, and up to `more` ticks after it. Returns how many were left at a stop.
     fn run(&mut self, more: u64, until_stop: bool) -> u64 {
+        let mut left = more;
+        loop {
+            left = self.special.run(&mut self.memory, left, until_stop);
+            let burst = left.min(self.special.plain_ticks());
+            let unused = self.run_plainly(burst, until_stop);
+            left -= burst - unused;
+            if unused > 0 || left == 0 {
+                return left;
+            }
+            let (program, layout, memory, inputs) = (&self.program, &self.layout, &self.memory, &self.inputs);
+            self.special.watch(program, layout, || memory.twin(program, layout, inputs));
+        }
+    }
+
+    /// The same with the code of [`Form`].
+    fn run_plainly(&mut self, more: u64, until_stop: bool) -> u64 {
         let memory = &mut self.memory;
         let schedule = match &self.form {
             Form::Fused(function) => return self.code.call(*function, memory, &[until_stop.into()], more),
@@ -119,6 +159,16 @@ impl Native {
     }
 }
 
+fn register_nodes(graph: &Graph) -> Vec<ValueId> {
+    let mut nodes = vec![ValueId::new(0); graph.registers.len()];
+    for (i, node) in graph.nodes.iter().enumerate() {
+        if let Op::Register(register) = node.op {
+            nodes[register.index()] = ValueId::new(i);
+        }
+    }
+    nodes
+}
+
 /// Which ops must be in memory at the end of a tick: what is observed, counts, and what memories are to be
 /// written.
 fn stored(program: &Program, counters: &[Counter]) -> Vec<bool> {
@@ -134,7 +184,7 @@ fn stored(program: &Program, counters: &[Counter]) -> Vec<bool> {
 
 impl Engine for Native {
     fn name(&self) -> &'static str {
-        "native"
+        ENGINE.name
     }
 
     fn set_input(&mut self, input: usize, word: u64) {
@@ -178,5 +228,9 @@ impl Engine for Native {
 
     fn read(&self, words: &mut [u64]) {
         self.watched.fill(&self.memory, words);
+    }
+
+    fn stats(&self) -> Option<&Stats> {
+        self.special.stats()
     }
 }

@@ -9,7 +9,7 @@ use cranelift_frontend::FunctionBuilder;
 
 use super::word::{Word, constant, cut, machine_type, resize};
 use crate::base::word::mask;
-use crate::base::{Graph, Op, Ram, RamId, Register, RomId, ValueId};
+use crate::base::{Graph, MemoryImage, MemoryWrite, Op, RamId, Register, RomId, ValueId};
 
 /// Where the code of one function finds what it does not compute.
 pub(super) trait Outside {
@@ -31,7 +31,22 @@ pub(super) struct Emitter<'a, 'f, O> {
 
 impl<'a, 'f, O: Outside> Emitter<'a, 'f, O> {
     pub fn new(b: &'a mut FunctionBuilder<'f>, graph: &'a Graph, outside: O) -> Self {
-        Self { b, outside, graph, words: HashMap::new() }
+        Self::with(b, graph, outside, HashMap::new())
+    }
+
+    /// Goes on where another one has computed these words.
+    pub fn with(b: &'a mut FunctionBuilder<'f>, graph: &'a Graph, outside: O, words: HashMap<ValueId, Word>) -> Self {
+        Self { b, outside, graph, words }
+    }
+
+    /// Whether a value has its word.
+    pub fn has(&self, id: ValueId) -> bool {
+        self.words.contains_key(&id)
+    }
+
+    /// The words computed so far.
+    pub fn into_words(self) -> HashMap<ValueId, Word> {
+        self.words
     }
 
     /// Gives a value its word.
@@ -365,16 +380,16 @@ impl<'a, 'f, O: Outside> Emitter<'a, 'f, O> {
 
     /// Where a RAM's write goes at the end of the tick, and the word. A write that is not enabled or beyond the
     /// depth goes to the second element after the last, which nobody reads.
-    pub fn write(&mut self, ram: &Ram, id: RamId) -> (Value, Value) {
+    pub fn write(&mut self, write: &MemoryWrite, image: &MemoryImage, id: RamId) -> (Value, Value) {
         let (base, depth) = self.outside.ram(self.b, id);
-        let (enable, data) = (self.clean(ram.write.enable), self.clean(ram.write.data));
+        let (enable, data) = (self.clean(write.enable), self.clean(write.data));
         let lost = constant(self.b, I64, depth as u64 + 1);
-        let address = self.clean(ram.write.address);
+        let address = self.clean(write.address);
         let address = resize(self.b, address, I64);
         let within = self.b.ins().icmp_imm_u(IntCC::UnsignedLessThan, address, depth as i64);
         let taken = self.b.ins().band(within, enable);
         let index = self.b.ins().select(taken, address, lost);
-        (self.element(base, index, machine_type(ram.image.width())), data)
+        (self.element(base, index, machine_type(image.width())), data)
     }
 
     /// The address, or the depth for all addresses beyond it.

@@ -7,8 +7,8 @@ use super::host::{Assembler, Code};
 use super::memory::{Layout, Memory};
 use super::plan::{Assignment, Item, Unit, operands};
 use super::shape::{Shape, Whole};
-use super::unit;
-use crate::base::{Diagnostic, Graph, Op, ValueId};
+use super::{register_nodes, unit};
+use crate::base::{Diagnostic, Graph};
 use crate::compile::Program;
 
 /// How to compute a tick: every call once, in order.
@@ -139,14 +139,4 @@ fn crossing(graph: &Graph, units: &[Unit]) -> Vec<bool> {
         *crossing &= !node.op.is_leaf();
     }
     crossing
-}
-
-fn register_nodes(graph: &Graph) -> Vec<ValueId> {
-    let mut nodes = vec![ValueId::new(0); graph.registers.len()];
-    for (i, node) in graph.nodes.iter().enumerate() {
-        if let Op::Register(register) = node.op {
-            nodes[register.index()] = ValueId::new(i);
-        }
-    }
-    nodes
 }
