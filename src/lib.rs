@@ -60,6 +60,8 @@
 //! | bless | to make a new trace golden |
 #![warn(missing_docs)]
 
+#[cfg(feature = "cli")]
+pub mod accuracy;
 pub mod base;
 pub mod blocks;
 #[cfg(feature = "cli")]

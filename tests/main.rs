@@ -1,5 +1,7 @@
 //! The one integration-test binary; each module tests one concern from outside.
 
+/// `accuracy`: what a meter behind the interpolator says.
+mod accuracy;
 /// What `check` says went wrong first.
 mod cause;
 /// The command line as scripts see it.

@@ -1,4 +1,4 @@
-//! SU 1522157: the linear interpolator and its multiplexer, held against the patent.
+//! SU 1522157: the linear interpolator, its multiplexer, its prototype and a plotter with it, held against the patent.
 
 mod accuracy;
 mod equations;
@@ -6,6 +6,8 @@ mod figure;
 mod limits;
 mod machine;
 mod multiplexer;
-mod oracle;
+pub mod oracle;
+mod plotter;
+mod prototype;
 mod schedule;
 mod vectors;

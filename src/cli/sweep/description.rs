@@ -98,7 +98,7 @@ fn input_net(netlist: &Netlist, input: usize) -> &Net {
 }
 
 /// The hash of all texts, in the order in which they were read; their places do not matter.
-fn hash_of(netlist: &Netlist) -> String {
+pub(in crate::cli) fn hash_of(netlist: &Netlist) -> String {
     let mut hasher = Sha256::new();
     for (_, text) in netlist.sources.iter() {
         hasher.update((text.len() as u64).to_le_bytes());
@@ -123,7 +123,7 @@ fn stop(design: &Design) -> String {
 }
 
 /// A line for each value that differs, by its place.
-fn differences(place: &str, there: &Value, here: &Value, lines: &mut Vec<String>) {
+pub(in crate::cli) fn differences(place: &str, there: &Value, here: &Value, lines: &mut Vec<String>) {
     match (there, here) {
         (Value::Object(a), Value::Object(b)) => {
             let names: std::collections::BTreeSet<_> = a.keys().chain(b.keys()).collect();

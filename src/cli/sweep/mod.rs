@@ -7,17 +7,17 @@ mod resume;
 mod rows;
 mod stimuli;
 
-use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::args::Target;
+use super::long_run::{hint, progress};
 use super::{Ending, check_files, interrupt, say};
 use crate::base::{Diagnostic, Report, StoppedBy};
 use crate::simulation::Design;
 use description::Description;
+pub(super) use description::{differences, hash_of};
 use ranges::Over;
 use rows::{Format, Rows};
 pub use stimuli::Stimuli;
@@ -71,7 +71,7 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     let rows = Rows::new(format, &batch, stimuli.varied());
     let description = Description::new(&design, &stimuli);
     let (mut output, left) = resume::open(out, arguments.resume, &rows, &stimuli, &description)?;
-    let bar = progress(stimuli.count(), left.rows);
+    let bar = progress(stimuli.count(), left.rows, "rows");
     let mut text = String::new();
     let mut at_limit = left.at_limit;
     let mut broken = vec![0_u64; design.scenario().require.len()];
@@ -93,7 +93,7 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     if rows < stimuli.count() {
         say(&format!("interrupted after {rows} of {} rows", stimuli.count()));
         if let Some(path) = &arguments.out {
-            hint(path);
+            hint(&format!("they are in {}", path.display()));
         }
         return Ok(Ending::Different);
     }
@@ -114,30 +114,6 @@ fn set_and_swept(arguments: &SweepArguments, design: &Design, varied: &[usize]) 
         }
         None => Ok(()),
     }
-}
-
-/// A bar on standard error when that is a terminal.
-fn progress(count: u64, done: u64) -> ProgressBar {
-    let target =
-        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-    let bar = ProgressBar::with_draw_target(Some(count), target).with_position(done);
-    let style = ProgressStyle::with_template("{wide_bar} {human_pos} of {human_len} rows, {per_sec}, {eta} left");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar.reset_eta();
-    bar
-}
-
-/// Tells how to go on, as it can be typed.
-fn hint(out: &Path) {
-    let mut typed: Vec<_> = std::env::args_os().filter(|word| word != "--resume").collect();
-    // After the name of the command: what follows may be cut by a `--`.
-    typed.insert(2.min(typed.len()), "--resume".into());
-    let words = typed.iter().map(|word| word.as_encoded_bytes());
-    let mut line = format!("they are in {}; to go on:\n  ", out.display()).into_bytes();
-    // An argument has no NUL, which is all that cannot be quoted.
-    line.extend(shlex::bytes::try_join(words).unwrap_or_default());
-    line.push(b'\n');
-    let _ = io::stderr().write_all(&line);
 }
 
 /// A sweep over an input that the scenario changes by itself would show words that the circuit never had.
