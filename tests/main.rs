@@ -25,6 +25,8 @@ mod goldens;
 /// Signals, and what they leave.
 #[cfg(target_os = "linux")]
 mod interrupts;
+/// Sweeps that measure.
+mod measures;
 /// Circuits as text.
 mod netlist;
 /// Numerals of figures and names in circuits.

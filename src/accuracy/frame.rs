@@ -47,10 +47,14 @@ impl Frame {
         self.left_major.unsigned_abs().max(self.left_minor.unsigned_abs()) as f64 / 4.0
     }
 
-    /// The mean feed: how far the path has come for each step, from its start to its end, in whole steps.
+    /// The mean feed: how far the path has come for each step, from its start to its end, in whole steps; 0 without
+    /// a step.
     #[must_use]
     pub fn feed(&self) -> f64 {
         let gone = |projection: u64, left: i64| projection as f64 - left as f64 / 4.0;
+        if self.steps == 0 {
+            return 0.0;
+        }
         gone(self.major, self.left_major).hypot(gone(self.minor, self.left_minor)) / self.steps as f64
     }
 }

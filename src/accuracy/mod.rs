@@ -7,6 +7,7 @@
 mod frame;
 mod law;
 mod meter;
+mod quantity;
 mod reference;
 mod segments;
 mod tally;
@@ -14,6 +15,7 @@ mod tally;
 pub use frame::Frame;
 pub use law::Printed;
 pub use meter::Meter;
+pub use quantity::Quantity;
 pub use reference::Reference;
 pub use segments::{Segments, count};
 pub use tally::{Slope, Tally};
