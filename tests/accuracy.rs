@@ -85,7 +85,7 @@ fn with_minus_zero_and_other_times_the_law_holds_as_well() {
     for parameters in [[("MINUS_ZERO", 1), ("DELAY_13", 1)], [("CLOCK_PERIOD", 8), ("DELAY_13", 5)]] {
         let meter = meter("su1522157/interpolator", &parameters);
         let mut tally = Tally::default();
-        frames(&meter, 64, 0).into_iter().for_each(|frame| tally.add(frame, meter.law(), meter.printed()));
+        frames(&meter, 64, 0).into_iter().for_each(|frame| tally.add(frame, &meter.claim()));
         assert_eq!((tally.violations, tally.end.end_error()), (0, 0.25), "{parameters:?}");
     }
 }
@@ -141,12 +141,45 @@ fn the_prototype_and_bresenham_reach_half_a_step_and_end_on_the_point() {
 }
 
 #[test]
-fn a_machine_with_too_long_a_delay_breaks_the_law_and_the_exit_status_tells() {
-    let output = accuracy(&folder(), &["su1522157/interpolator", "--max", "32", "-p", "DELAY_13=3", "--json"]);
+fn a_machine_with_too_long_a_delay_goes_astray_in_as_many_frames_as_the_reading_has_and_the_exit_status_tells() {
+    let arguments = ["su1522157/interpolator", "--max", "32", "-p", "DELAY_13=3", "--json"];
+    let output = accuracy(&folder(), &arguments);
     let object = json(&output);
-    // The 84 frames of the reading get a step too many, which goes beyond the end.
-    assert!(object["end_error"].as_f64() > Some(0.25), "{object}");
-    assert_eq!(output.status.code(), Some(i32::from(object["violations"].as_u64() > Some(0))));
+    // 84 of the 560 frames with a length get a step too many.
+    assert_eq!((&object["segments"], &object["astray"]), (&561.into(), &84.into()));
+    assert_eq!(output.status.code(), Some(1));
+}
+
+#[test]
+fn a_table_over_parameters_has_the_rows_of_each_measurement() {
+    let folder = folder();
+    let arguments = ["su1522157/interpolator", "--max", "32", "--over", "p:DELAY_13=1..=3", "--over", "p:DELAY_22=1,4"];
+    let object = json(&accuracy(&folder, &[&arguments[..], &["--json"]].concat()));
+    let rows = object["rows"].as_array().expect("rows");
+    let seen: Vec<_> = rows
+        .iter()
+        .map(|row| ["DELAY_13", "DELAY_22", "astray"].map(|name| row[name].as_u64().expect("a number")))
+        .collect();
+    assert_eq!(seen, [[1, 1, 0], [1, 4, 0], [2, 1, 0], [2, 4, 0], [3, 1, 84], [3, 4, 84]]);
+    let output = accuracy(&folder, &[&arguments[..], &["--csv", "table.csv"]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(std::fs::read_to_string(folder.path().join("table.csv")).expect("a file").lines().count(), 7);
+    assert_refused(&accuracy(&folder, &["su1522157/interpolator", "--over", "major_32=1"]), "C008");
+}
+
+#[test]
+fn strokes_of_figure_9_end_where_they_began_and_guard_stages_bring_them_to_the_ellipse() {
+    let folder = folder();
+    let arguments = ["us3809868/fig09_function_generator", "--max", "511", "--over", "p:GUARD=0,3", "--json"];
+    let output = accuracy(&folder, &arguments);
+    let object = json(&output);
+    let of = |row: usize, name: &str| object["rows"][row][name].as_f64().expect("a number");
+    // The reading's model of another sample of strokes of this range: 3.0 counts without, 0.96 with three guard stages.
+    assert!((1.5..4.0).contains(&of(0, "max_deviation")) && (0.7..1.2).contains(&of(1, "max_deviation")), "{object}");
+    assert_eq!((of(0, "end_error"), of(1, "end_error"), output.status.code()), (0.0, 0.0, Some(0)));
+    assert!(of(0, "reversals") > 50.0, "steps of J and K that oppose each other: {object}");
+    assert_refused(&accuracy(&folder, &["us3809868/fig09_function_generator", "--max", "4096"]), "A002");
+    assert_refused(&accuracy(&folder, &["us3809868/fig09_function_generator", "--checkpoint", "x"]), "C008");
 }
 
 #[test]
@@ -206,7 +239,7 @@ fn a_measuring_scenario_of_ones_own_is_taken_and_a_wrong_one_is_told() {
         format!(
             "circuit = \"su1522157/measured_interpolator\"\n[inputs]\nx_is_major_35 = 1\n[[at]]\ntick = 0\nset = {{ start_33 = 1 }}\n\
              [[at]]\ntick = 1\nset = {{ start_33 = 0 }}\n[stop]\nuntil = \"!busy\"\nlimit = 1000\n[measure]\nof = \"mine\"\n\
-             major = \"major_32\"\nminor = \"minor_34\"\ncombined = {combined}\nlaw = {{ sin = 0.1, cos = 0.1 }}\n"
+             major = \"major_32\"\nminor = \"minor_34\"\ncombined = {combined}\nlaw = {{ sin = 0.1, cos = 0.1 }}\nend = 0.25\n"
         )
     };
     let path = folder.path().join("mine.toml");

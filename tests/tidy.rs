@@ -21,6 +21,7 @@ const MAY_IMPORT: &[(&str, Option<&[&str]>)] = &[
     ("simulation", Some(&["base", "blocks", "netlist", "compile", "engine", "files", "scenario", "trace"])),
     ("host", Some(&["base", "simulation"])),
     ("accuracy", Some(&["base", "scenario", "simulation"])),
+    ("accuracy", Some(&["base", "scenario", "simulation", "trace"])),
     ("cli", None),
 ];
 

@@ -18,6 +18,17 @@ impl Law {
     }
 }
 
+/// What is claimed of an interpolator.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Claim {
+    /// How far its nodes may be from the segment.
+    pub law: Law,
+    /// The same as it is printed.
+    pub printed: Option<Printed>,
+    /// How far off its end may be along either axis, in whole steps.
+    pub end: f64,
+}
+
 /// A law as it is printed, rounded: `amplitude` sin(`degrees` + a).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Printed {

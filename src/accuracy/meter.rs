@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
-use super::{Frame, Printed, Segments, count};
+use super::{Claim, Frame, Printed, Segments, count};
 use crate::base::word::{mask, signed};
 use crate::base::{Diagnostic, Port, Report, StoppedBy};
-use crate::scenario::{Law, Measure};
+use crate::scenario::Measure;
 use crate::simulation::{Batch, Design, Row, Session};
 
 /// A measuring circuit, made ready: the session's scenario has a table `[measure]`.
@@ -65,16 +65,11 @@ impl Meter {
         &self.design
     }
 
-    /// The law that frames are held against.
+    /// What frames are held against.
     #[must_use]
-    pub fn law(&self) -> Law {
-        self.measure.law
-    }
-
-    /// That law as it is printed.
-    #[must_use]
-    pub fn printed(&self) -> Option<Printed> {
-        self.measure.printed.map(|[amplitude, degrees]| Printed { amplitude, degrees })
+    pub fn claim(&self) -> Claim {
+        let Measure { law, printed, end, .. } = self.measure;
+        Claim { law, printed: printed.map(|[amplitude, degrees]| Printed { amplitude, degrees }), end }
     }
 
     /// The greatest projection that its inputs can hold.

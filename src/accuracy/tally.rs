@@ -1,7 +1,6 @@
 //! What counts of many frames: how many break the law, the worst ones, slope by slope.
 
-use super::{Frame, Printed};
-use crate::scenario::Law;
+use super::{Claim, Frame};
 
 /// How many of the worst frames are kept.
 const MOST_WORST: usize = 10;
@@ -27,6 +26,8 @@ pub struct Tally {
     pub violations: u64,
     /// Frames that deviate more than the law as it is printed, with its rounding.
     pub beyond_printed: u64,
+    /// Frames that end farther off than they may.
+    pub astray: u64,
     /// Frames that have not ended before the limit.
     pub unfinished: u64,
     /// Those that deviate most, in order.
@@ -51,6 +52,7 @@ impl Default for Tally {
             segments: 0,
             violations: 0,
             beyond_printed: 0,
+            astray: 0,
             unfinished: 0,
             worst: Vec::new(),
             end: Frame::default(),
@@ -65,13 +67,15 @@ impl Default for Tally {
 
 impl Tally {
     /// Counts a frame.
-    pub fn add(&mut self, frame: Frame, law: Law, printed: Option<Printed>) {
+    pub fn add(&mut self, frame: Frame, claim: &Claim) {
+        let Claim { law, printed, end } = *claim;
         self.segments += 1;
         if frame.major == 0 {
             self.no_length = Some(frame);
             return;
         }
         let deviation = frame.deviation();
+        self.astray += u64::from(frame.end_error() > end);
         self.violations += u64::from(!law.allows(&frame));
         self.beyond_printed += u64::from(printed.is_some_and(|printed| deviation > printed.at(frame.angle())));
         let slope = &mut self.slopes[slope_of(&frame)];
@@ -103,6 +107,7 @@ impl Tally {
         self.segments += later.segments;
         self.violations += later.violations;
         self.beyond_printed += later.beyond_printed;
+        self.astray += later.astray;
         self.unfinished += later.unfinished;
         self.no_length = self.no_length.or(later.no_length);
         for frame in [later.end, later.run].into_iter().chain(later.slowest).chain(later.fastest) {
@@ -138,8 +143,9 @@ fn keep(kept: &mut Frame, frame: Frame, of: impl Fn(&Frame) -> f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenario::Law;
 
-    const LAW: Law = Law { sin: 0.0, cos: 0.5 };
+    const CLAIM: Claim = Claim { law: Law { sin: 0.0, cos: 0.5 }, printed: None, end: 0.0 };
 
     fn frame(major: u64, minor: u64, greatest: u64, left_minor: i64) -> Frame {
         Frame { major, minor, greatest, left_minor, steps: major, longest_run: minor, ..Frame::default() }
@@ -157,7 +163,7 @@ mod tests {
 
     fn tally(frames: &[Frame]) -> Tally {
         let mut tally = Tally::default();
-        frames.iter().for_each(|&frame| tally.add(frame, LAW, None));
+        frames.iter().for_each(|&frame| tally.add(frame, &CLAIM));
         tally
     }
 
@@ -167,6 +173,7 @@ mod tests {
         let long = &all[1..];
         assert_eq!((tally.segments, tally.no_length), (all.len() as u64, Some(all[0])));
         assert_eq!(tally.violations, long.iter().filter(|frame| frame.greatest > 2 * frame.major).count() as u64);
+        assert_eq!(tally.astray, long.iter().filter(|frame| frame.minor % 3 != 1).count() as u64);
         let mut deviations: Vec<_> = long
             .iter()
             .map(|f| f.greatest as f64 / 4.0 / ((f.major * f.major + f.minor * f.minor) as f64).sqrt())

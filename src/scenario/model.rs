@@ -63,6 +63,8 @@ pub struct Measure {
     pub law: Law,
     /// The same as it is printed: an amplitude in whole steps, and the angle in degrees that is added to a.
     pub printed: Option<[f64; 2]>,
+    /// How far off the end may be along either axis, in whole steps.
+    pub end: f64,
 }
 
 /// A deviation over the angle of a segment: a sum of its sine and its cosine.

@@ -25,7 +25,7 @@ pub const KEYS: &[(&str, &[&str])] = &[
     ("trace", &["signals"]),
     ("table", &["when", "after", "columns"]),
     ("plot", &["x", "y", "pen"]),
-    ("measure", &["of", "major", "minor", "combined", "law", "printed"]),
+    ("measure", &["of", "major", "minor", "combined", "law", "printed", "end"]),
     ("expect", &["ticks", "stopped_by", "outputs", "pulses"]),
 ];
 

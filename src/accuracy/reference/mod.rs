@@ -5,7 +5,7 @@ mod dda;
 
 use rayon::prelude::*;
 
-use super::{Frame, Segments, Tally, count};
+use super::{Claim, Frame, Segments, Tally, count};
 use crate::scenario::Law;
 
 /// An algorithm by its name.
@@ -42,13 +42,18 @@ impl Reference {
     /// How far its nodes can be from the segment, by the error of each coordinate: half a step across for Bresenham, half a
     /// step either way for the symmetrical DDA. The other DDA is less than a whole step late on both axes, and what it
     /// is late on one counts against what it is late on the other.
-    #[must_use]
-    pub fn law(self) -> Law {
+    fn law(self) -> Law {
         match self {
             Self::Bresenham => Law { sin: 0.0, cos: 0.5 },
             Self::SymmetricalDda => Law { sin: 0.5, cos: 0.5 },
             Self::KorenDda => Law { sin: 0.0, cos: 1.0 },
         }
+    }
+
+    /// What it is held against: its law, and an end that is met.
+    #[must_use]
+    pub fn claim(self) -> Claim {
+        Claim { law: self.law(), printed: None, end: 0.0 }
     }
 
     /// Its steps from (0, 0) to (major, minor).
@@ -67,10 +72,11 @@ impl Reference {
     #[must_use]
     pub fn tally(self, max: u64) -> Tally {
         let all = count(max).expect("a number of segments");
+        let claim = self.claim();
         let piece = |piece: u64| {
             let mut tally = Tally::default();
             for (major, minor) in Segments::from(max, piece * PIECE).take(PIECE as usize) {
-                tally.add(self.frame(major, minor), self.law(), None);
+                tally.add(self.frame(major, minor), &claim);
             }
             tally
         };
@@ -143,7 +149,7 @@ mod tests {
     fn each_keeps_its_law_ends_on_the_point_and_the_laws_are_nearly_reached() {
         for (reference, reached) in Reference::ALL.into_iter().zip([0.48, 0.6, 0.9]) {
             let tally = reference.tally(100);
-            assert_eq!((tally.segments, tally.violations), (5151, 0), "{reference:?}");
+            assert_eq!((tally.segments, tally.violations, tally.astray), (5151, 0, 0), "{reference:?}");
             assert!(tally.end.end_error() == 0.0 && tally.max_deviation() > reached, "{reference:?}: {tally:?}");
         }
     }

@@ -71,7 +71,7 @@ fn written(tally: &Tally) -> Value {
     let slopes: Vec<_> = tally.slopes.iter().map(|slope| json!([slope.frames, numbers(&slope.worst)])).collect();
     json!({
         "segments": tally.segments, "violations": tally.violations, "beyond_printed": tally.beyond_printed,
-        "unfinished": tally.unfinished, "worst": tally.worst.iter().map(numbers).collect::<Vec<_>>(),
+        "astray": tally.astray, "unfinished": tally.unfinished, "worst": tally.worst.iter().map(numbers).collect::<Vec<_>>(),
         "end": numbers(&tally.end), "run": numbers(&tally.run), "slowest": tally.slowest.as_ref().map(numbers),
         "fastest": tally.fastest.as_ref().map(numbers), "no_length": tally.no_length.as_ref().map(numbers),
         "slopes": slopes,
@@ -88,6 +88,7 @@ fn read(tally: &Value) -> Option<Tally> {
         segments: tally["segments"].as_u64()?,
         violations: tally["violations"].as_u64()?,
         beyond_printed: tally["beyond_printed"].as_u64()?,
+        astray: tally["astray"].as_u64()?,
         unfinished: tally["unfinished"].as_u64()?,
         worst: tally["worst"].as_array()?.iter().map(frame).collect::<Option<_>>()?,
         end: frame(&tally["end"])?,

@@ -22,10 +22,12 @@ use crate::base::{Diagnostic, Report, StoppedBy};
 use crate::simulation::Design;
 use description::Description;
 pub(super) use description::{differences, hash_of};
+pub(super) use plan::sets;
 use plan::{Part, Plan};
 use ranges::Over;
 use rows::{Format, Rows};
 pub use stimuli::Stimuli;
+pub(super) use ranges::Over;
 use rows::Format;
 
 /// Arguments of `sweep`.
@@ -127,10 +129,7 @@ impl Tally {
         mut sink: impl FnMut(&str) -> ControlFlow<()> + Send,
     ) -> Result<bool, Report> {
         let design = part.design();
-        let mut batch = design.batch().cancelled_by(interrupt::flag());
-        if let Some(threads) = arguments.threads {
-            batch = batch.threads(threads.into())?;
-        }
+        let batch = part.batch(arguments)?.cancelled_by(interrupt::flag());
         let rows = plan.written(part, &batch, arguments);
         self.broken.resize(design.scenario().require.len(), 0);
         let mut text = String::new();

@@ -45,7 +45,7 @@ impl Plan {
             arguments.over.iter().cloned().partition(|over| over.name.starts_with("p:"));
         let session = arguments.target.session()?;
         let session = if arguments.measure.is_empty() { session } else { session.measured()? };
-        let parts = sets(&parameters, arguments)?.into_iter();
+        let parts = sets(&parameters, &arguments.target.param)?.into_iter();
         let parts = parts.map(|parameters| Part::new(session.clone(), parameters, &inputs, arguments));
         Ok(Self { parts: parts.collect::<Result<_, _>>()?, format })
     }
@@ -99,6 +99,18 @@ impl Part {
         Ok(Self { parameters, runner, stimuli })
     }
 
+    /// Its batch, on the threads that are asked for.
+    ///
+    /// # Errors
+    /// `C067`.
+    pub fn batch(&self, arguments: &SweepArguments) -> Result<Batch<'_>, Diagnostic> {
+        let batch = self.design().batch();
+        match arguments.threads {
+            Some(threads) => batch.threads(threads.into()),
+            None => Ok(batch),
+        }
+    }
+
     /// Its circuit.
     pub fn design(&self) -> &Design {
         self.runner.design()
@@ -115,9 +127,8 @@ impl Runner {
 }
 
 /// Every set of values of some parameters, the last one varying fastest; one empty set for none.
-fn sets(over: &[Over], arguments: &SweepArguments) -> Result<Vec<Vec<(String, i64)>>, Diagnostic> {
-    let given = arguments.target.param.iter().map(|(name, _)| name.as_str());
-    let mut known: Vec<_> = given.collect();
+pub(in crate::cli) fn sets(over: &[Over], given: &[(String, i64)]) -> Result<Vec<Vec<(String, i64)>>, Diagnostic> {
+    let mut known: Vec<_> = given.iter().map(|(name, _)| name.as_str()).collect();
     for name in over.iter().map(parameter) {
         if known.contains(&name) {
             return Err(

@@ -73,7 +73,7 @@ pub struct Left {
 /// left.
 pub fn open(path: &Path, arguments: &SweepArguments, plan: &Plan) -> Result<(Output, Left), Report> {
     let part = plan.first();
-    let batch = part.design().batch();
+    let batch = part.batch(arguments)?;
     let rows = &plan.written(part, &batch, arguments);
     let description = &Description::new(arguments, part);
     let wrong = |error: io::Error| Report::from(files::unwritable(path, &error));

@@ -1,11 +1,10 @@
-//! What was measured, as a table, as CSV, as JSON.
+//! What was measured of segments, as a table, as CSV, as JSON.
 
 use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use crate::accuracy::{Frame, Printed, Tally};
-use crate::scenario::Law;
+use crate::accuracy::{Claim, Frame, Printed, Tally};
 
 /// A measurement to show.
 pub struct Shown {
@@ -15,10 +14,8 @@ pub struct Shown {
     pub inputs: [String; 2],
     /// The greatest projection.
     pub max: u64,
-    /// The law it is held against.
-    pub law: Law,
-    /// The same as it is printed.
-    pub printed: Option<Printed>,
+    /// What it is held against.
+    pub claim: Claim,
     /// Ticks that were run, by a circuit.
     pub ticks: Option<u64>,
     /// What was found.
@@ -28,7 +25,8 @@ pub struct Shown {
 impl Shown {
     /// A table for people.
     pub fn text(&self) -> String {
-        let Self { name, max, law, tally, .. } = self;
+        let Self { name, max, tally, .. } = self;
+        let Claim { law, printed, end } = self.claim;
         let mut text = format!("{name}: all {} segments with 0 <= Y <= X <= {max}", tally.segments);
         // Writing into a string cannot fail.
         let _ = self.ticks.map_or(Ok(()), |ticks| write!(text, ", {ticks} ticks"));
@@ -37,14 +35,14 @@ impl Shown {
             let _ = writeln!(text, "  {what:<34} {value}");
         };
         line("segments that break it", tally.violations.to_string());
-        if let Some(printed) = self.printed {
+        if let Some(printed) = printed {
             let Printed { amplitude, degrees } = printed;
             line(
                 &format!("printed: {amplitude} sin({degrees:.2} deg + a)"),
                 format!(
                     "{} segments are beyond it; its rounding makes it up to {:.6} too small",
                     tally.beyond_printed,
-                    printed.falls_short_of(*law)
+                    printed.falls_short_of(law)
                 ),
             );
         }
@@ -53,6 +51,7 @@ impl Shown {
         }
         line("greatest deviation", format!("{:.6}", tally.max_deviation()));
         line("greatest end error on an axis", at(&tally.end, Frame::end_error));
+        line(&format!("paths that end more than {end} off"), tally.astray.to_string());
         line(
             "most equal steps in a row",
             format!("{} at X = {}, Y = {}", tally.run.longest_run, tally.run.major, tally.run.minor),
@@ -78,7 +77,7 @@ impl Shown {
 
     fn row(&self, frame: &Frame) -> String {
         let Frame { major, minor, .. } = frame;
-        format!("      {major:>7}{minor:>7} {:>10.6} {:>10.6}", frame.deviation(), self.law.at(frame.angle()))
+        format!("      {major:>7}{minor:>7} {:>10.6} {:>10.6}", frame.deviation(), self.claim.law.at(frame.angle()))
     }
 
     /// A row for each degree of slope.
@@ -87,8 +86,8 @@ impl Shown {
         for (degrees, slope) in self.tally.slopes.iter().enumerate().filter(|(_, slope)| slope.frames > 0) {
             let Frame { major, minor, .. } = slope.worst;
             let angle = slope.worst.angle();
-            let printed = self.printed.map_or(String::new(), |printed| printed.at(angle).to_string());
-            let (deviation, law) = (slope.worst.deviation(), self.law.at(angle));
+            let printed = self.claim.printed.map_or(String::new(), |printed| printed.at(angle).to_string());
+            let (deviation, law) = (slope.worst.deviation(), self.claim.law.at(angle));
             let to = degrees + 1;
             let _ = writeln!(text, "{degrees},{to},{},{major},{minor},{deviation},{law},{printed}", slope.frames);
         }
@@ -112,10 +111,11 @@ impl Shown {
             "max": self.max,
             "segments": tally.segments,
             "ticks": self.ticks,
-            "law": { "sin": self.law.sin, "cos": self.law.cos },
+            "law": { "sin": self.claim.law.sin, "cos": self.claim.law.cos },
             "violations": tally.violations,
-            "beyond_printed": self.printed.map(|_| tally.beyond_printed),
-            "printed_falls_short": self.printed.map(|printed| printed.falls_short_of(self.law)),
+            "beyond_printed": self.claim.printed.map(|_| tally.beyond_printed),
+            "printed_falls_short": self.claim.printed.map(|printed| printed.falls_short_of(self.claim.law)),
+            "astray": tally.astray,
             "unfinished": tally.unfinished,
             "max_deviation": tally.max_deviation(),
             "worst": tally.worst.iter().map(|frame| self.object(frame)).collect::<Vec<_>>(),
@@ -130,7 +130,7 @@ impl Shown {
     fn object(&self, frame: &Frame) -> Value {
         let [major, minor] = &self.inputs;
         let inputs = json!({ major: frame.major, minor: frame.minor });
-        json!({ "inputs": inputs, "deviation": frame.deviation(), "law": self.law.at(frame.angle()) })
+        json!({ "inputs": inputs, "deviation": frame.deviation(), "law": self.claim.law.at(frame.angle()) })
     }
 }
 
