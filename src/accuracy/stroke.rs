@@ -78,7 +78,7 @@ fn stroke(session: &Session, coefficients: Coefficients) -> Result<Stroke, Repor
     let design = session.until("done").limit(LIMIT).elaborate()?;
     let mut follower = Follower::of(coefficients);
     let outcome = design.start_with(vec![Box::new(&mut follower)])?.finish()?;
-    if outcome.stopped_by != StoppedBy::Until {
+    if outcome.stopped_by != StoppedBy::Until || follower.steps == 0 {
         let message = format!("the circuit does not draw J = {j}, K = {k}, L = {l}, M = {m}");
         return Err(Diagnostic::new("A002", message).help("take a lesser --max, or wider multipliers").into());
     }
