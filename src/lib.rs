@@ -75,6 +75,8 @@ pub mod host;
 pub mod netlist;
 #[cfg(feature = "pictures")]
 pub mod picture;
+#[cfg(feature = "cli")]
+pub mod plot;
 pub mod scenario;
 pub mod simulation;
 pub mod trace;

@@ -119,3 +119,38 @@ fn what_cannot_be_swept_or_measured_is_refused_before_anything_is_written() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("error[A001]"));
     assert!(!folder.path().join("out.csv").exists());
 }
+
+#[test]
+fn a_heat_map_has_a_cell_for_each_row() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let over = ["--over", "p:DELAY_13=1..=3", "--over", "p:CLOCK_PERIOD=2..=5", "-s", "major_32=1", "-s", "minor_34=1"];
+    let (_, plain) = rows(folder.path(), &[&over[..], &["--measure", "steps"]].concat());
+    for (name, more) in [("a.svg", ["--measure", "steps"]), ("b.svg", ["--column", "ticks"])] {
+        rows(folder.path(), &[&over[..], &more, &["--heatmap", name]].concat());
+        let svg = fs::read_to_string(folder.path().join(name)).expect("a file");
+        // A white sheet and a scale of 64 steps stand beside the cells.
+        assert_eq!(svg.matches("<rect").count(), plain.len() + 64 + 1, "{name}");
+        for text in [
+            "p:DELAY_13",
+            "p:CLOCK_PERIOD",
+            more[1],
+            "stepwright sweep su1522157/interpolator --over p:DELAY_13=1..=3:1",
+        ] {
+            assert!(svg.contains(text), "{name}: {text}");
+        }
+    }
+}
+
+#[test]
+fn a_heat_map_that_cannot_be_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let two = ["--over", "major_32=1..=3", "--over", "minor_34=0..=1", "--heatmap", "a.svg"];
+    refused(folder.path(), &two, "C008");
+    refused(folder.path(), &[&two[..2], &two[4..], &["--column", "ticks"]].concat(), "C008");
+    refused(folder.path(), &[&two[..], &["--column", "tick"]].concat(), "C070");
+    let many = ["--over", "major_32=0..=4095", "--over", "minor_34=0..=255", "--heatmap", "a.svg", "--column", "ticks"];
+    refused(folder.path(), &many, "C071");
+    let unwritable = [&two[..4], &["--heatmap", "nowhere/a.svg", "--column", "ticks"]].concat();
+    refused(folder.path(), &unwritable, "C003");
+    assert!(!folder.path().join("a.svg").exists());
+}

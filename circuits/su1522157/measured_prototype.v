@@ -3,7 +3,9 @@
 // The prototype of SU 1522157 with a meter behind it, so that a frame is judged where it is drawn: no step has to leave
 // the simulator. Ports and parameters are those of the prototype, with what the meter shows besides. The major axis
 // is called so whichever it is: a whole step is one along it, be it on 36 or on 37.
-(* MINUS_ZERO_min = 0, MINUS_ZERO_max = 1 *)
+(* WIDTH_min = 1, WIDTH_max = 48, CLOCK_PERIOD_min = 1, CLOCK_PERIOD_max = 65536,
+   TAP_SPACING_min = 1, TAP_SPACING_max = 64,
+   DELAY_22_min = 1, DELAY_22_max = 1024, MINUS_ZERO_min = 0, MINUS_ZERO_max = 1 *)
 module measured_prototype #(
     parameter WIDTH = 12,
     parameter CLOCK_PERIOD = 4,

@@ -18,7 +18,9 @@
 // - Counter 14 takes 1 for each step of either kind, so there is no late part of it: delay 13 is gone. Tap 23 takes the 1
 //   by which R is below zero just after the last step, as 0.375 does in figure 1.
 // - A frame of no length gives one step, as there.
-(* MINUS_ZERO_min = 0, MINUS_ZERO_max = 1 *)
+(* WIDTH_min = 1, WIDTH_max = 48, CLOCK_PERIOD_min = 1, CLOCK_PERIOD_max = 65536,
+   TAP_SPACING_min = 1, TAP_SPACING_max = 64,
+   DELAY_22_min = 1, DELAY_22_max = 1024, MINUS_ZERO_min = 0, MINUS_ZERO_max = 1 *)
 module prototype #(
     parameter WIDTH = 12,       // bits of a projection
     parameter CLOCK_PERIOD = 4, // ticks from one strobe of generator 15 to the next, at least 3 (chosen)

@@ -27,7 +27,7 @@ impl Checkpoint {
     pub fn begin(meter: &Meter, max: u64) -> Self {
         let netlist = meter.design().netlist();
         let parameters: serde_json::Map<_, _> =
-            netlist.parameters.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
+            netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
         let circuit = json!({ "module": netlist.scopes[0].module.to_string(), "sha256": hash_of(netlist) });
         let stimulus = format!("{:?}", meter.design().stimulus());
         let of = json!({

@@ -50,6 +50,9 @@ pub struct AccuracyArguments {
     /// Write a row for each degree of slope, each stroke, or each set of parameters
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
+    /// Draw the deviation of each degree of slope, and the law, as FIG. 5 does
+    #[arg(long, value_name = "FILE", conflicts_with = "over")]
+    pub svg: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -70,6 +73,10 @@ trait Measured {
     fn text(&self) -> String;
     /// A table for programs.
     fn csv(&self) -> String;
+    /// A picture, of what there is one of.
+    fn svg(&self) -> Option<String> {
+        None
+    }
     /// One object.
     fn json(&self) -> Value;
     /// The columns of its row among others.
@@ -92,6 +99,9 @@ pub(super) fn accuracy(arguments: &AccuracyArguments) -> Result<Ending, Report> 
     if let Some(path) = &arguments.csv {
         files::write_bytes(path, measured.csv().as_bytes())?;
     }
+    if let Some((path, picture)) = arguments.svg.as_ref().zip(measured.svg()) {
+        files::write_bytes(path, picture.as_bytes())?;
+    }
     print(&if arguments.json { format!("{:#}\n", measured.json()) } else { measured.text() })?;
     Ok(if measured.is_good() { Ending::Done } else { Ending::Different })
 }
@@ -109,7 +119,7 @@ fn of_circuit(
     is_first: bool,
 ) -> Result<Option<Box<dyn Measured>>, Report> {
     if session.scenario().measure.is_none() && draws_strokes(session.clone())? {
-        does_nothing(arguments, "is a generator of strokes", &["--threads", "--checkpoint"])?;
+        does_nothing(arguments, "is a generator of strokes", &["--threads", "--checkpoint", "--svg"])?;
         return Ok(Some(Box::new(strokes::of_circuit(&session, arguments, is_first)?)));
     }
     let session = session.measured().map_err(with_all_that_is_known)?;
@@ -118,7 +128,7 @@ fn of_circuit(
 
 /// Checks the files of a command, once.
 fn check_outputs(session: &crate::simulation::Design, arguments: &AccuracyArguments) -> Result<(), Report> {
-    let writes = [&arguments.csv, &arguments.checkpoint].into_iter().flatten();
+    let writes = [&arguments.csv, &arguments.checkpoint, &arguments.svg].into_iter().flatten();
     check_files(session.files().iter().map(PathBuf::as_path), writes.map(PathBuf::as_path))
 }
 
@@ -129,6 +139,7 @@ fn does_nothing(arguments: &AccuracyArguments, is: &str, options: &[&str]) -> Re
         ("--over", !arguments.over.is_empty()),
         ("--threads", arguments.threads.is_some()),
         ("--checkpoint", arguments.checkpoint.is_some()),
+        ("--svg", arguments.svg.is_some()),
     ];
     match given.iter().find(|(option, is_given)| *is_given && options.contains(option)) {
         Some((option, _)) => {

@@ -29,7 +29,7 @@ pub fn of_reference(reference: Reference, arguments: &AccuracyArguments) -> Resu
         let message = format!("a projection of {} is more than an algorithm takes here", arguments.max);
         return Err(Diagnostic::new("A002", message).help(format!("it takes up to {MOST_OF_REFERENCE}")).into());
     }
-    check_files([], arguments.csv.iter().map(std::path::PathBuf::as_path))?;
+    check_files([], arguments.csv.iter().chain(&arguments.svg).map(std::path::PathBuf::as_path))?;
     Ok(Shown {
         name: reference.name().to_owned(),
         inputs: ["major".into(), "minor".into()],
@@ -106,6 +106,10 @@ impl Measured for Shown {
 
     fn csv(&self) -> String {
         Shown::csv(self)
+    }
+
+    fn svg(&self) -> Option<String> {
+        Some(Shown::chart(self).svg())
     }
 
     fn json(&self) -> Value {

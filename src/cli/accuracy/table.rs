@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::accuracy::{Claim, Frame, Printed, Tally};
+use crate::plot::{Axis, Chart, Series, Style};
 
 /// A measurement to show.
 pub struct Shown {
@@ -92,6 +93,25 @@ impl Shown {
             let _ = writeln!(text, "{degrees},{to},{},{major},{minor},{deviation},{law},{printed}", slope.frames);
         }
         text
+    }
+
+    /// The law over the angle, and the frame that deviates most of each degree.
+    pub fn chart(&self) -> Chart {
+        let degrees = |i: u32| f64::from(i) / 4.0;
+        let curve = (0..=180).map(degrees).map(|angle| [angle, self.claim.law.at(angle.to_radians())]);
+        let law = Series { name: "law".into(), colour: [30, 90, 200], style: Style::Line, points: curve.collect() };
+        let slopes = self.tally.slopes.iter().filter(|slope| slope.frames > 0).map(|slope| slope.worst);
+        let points: Vec<_> = slopes.map(|frame| [frame.angle().to_degrees(), frame.deviation()]).collect();
+        let name = format!("greatest of each degree, X up to {}", self.max);
+        let measured = Series { name, colour: [200, 40, 30], style: Style::Dots, points };
+        let heights = law.points.iter().chain(&measured.points).map(|point| point[1]);
+        Chart {
+            title: format!("Deviation of {} over the slope of the segment", self.name),
+            x: Axis { name: "angle with the major axis, degrees".into(), range: [0.0, 45.0] },
+            y: Axis::of("greatest deviation of a node, whole steps", heights),
+            command: format!("stepwright accuracy {} --max {} --svg FILE", self.name, self.max),
+            series: vec![law, measured],
+        }
     }
 
     /// One object.

@@ -42,8 +42,6 @@ impl Description {
             format!("tick {}: {name} = {number}", change.tick)
         });
         let parameters: Map<_, _> = netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
-        let parameters: Map<_, _> =
-            netlist.parameters.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
         let varied = arguments.over.iter().filter(|over| over.name.starts_with("p:")).map(ToString::to_string);
         Self(json!({
             "format": FORMAT,

@@ -2,6 +2,7 @@
 
 mod csv_file;
 mod description;
+mod heatmap;
 mod plan;
 mod ranges;
 mod resume;
@@ -19,16 +20,16 @@ use super::long_run::{hint, progress};
 use super::{Ending, check_files, interrupt, say};
 use crate::accuracy::Quantity;
 use crate::base::{Diagnostic, Report, StoppedBy};
+use crate::files;
 use crate::simulation::Design;
 use description::Description;
 pub(super) use description::{differences, hash_of};
+use heatmap::Heat;
 pub(super) use plan::sets;
 use plan::{Part, Plan};
-use ranges::Over;
-use rows::{Format, Rows};
-pub use stimuli::Stimuli;
 pub(super) use ranges::Over;
 use rows::Format;
+pub use stimuli::Stimuli;
 
 /// Arguments of `sweep`.
 #[derive(Args, Debug)]
@@ -60,6 +61,12 @@ pub struct SweepArguments {
     /// Add columns that are measured: the circuit is run with a meter behind it (see `accuracy`)
     #[arg(long, value_name = "NAME,..", value_delimiter = ',', value_parser = quantity())]
     pub measure: Vec<Quantity>,
+    /// Draw the two inputs or parameters that vary against a column
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["resume", "from"])]
+    pub heatmap: Option<PathBuf>,
+    /// The column that the heat map shows; the first that is measured without it
+    #[arg(long, value_name = "NAME", requires = "heatmap")]
+    pub column: Option<String>,
     /// Go on with a file that an interrupted sweep left
     #[arg(long, requires = "out")]
     pub resume: bool,
@@ -74,12 +81,13 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     let out = arguments.out.as_deref().unwrap_or(Path::new("-"));
     let beside = Description::path(out);
     let reads = plan.first().design().files().iter().chain(&arguments.from).map(PathBuf::as_path);
-    check_files(reads, [out, beside.as_path()])?;
+    check_files(reads, [out, beside.as_path()].into_iter().chain(arguments.heatmap.as_deref()))?;
+    let mut map = arguments.heatmap.as_ref().map(|_| Heat::of(arguments, &plan)).transpose()?;
     let (mut output, left) = resume::open(out, arguments, &plan)?;
     let bar = progress(all, left.rows, "rows");
     let mut tally = Tally { rows: left.rows, at_limit: left.at_limit, broken: Vec::new() };
     for (part, skip) in plan.from(left.rows) {
-        let is_whole = tally.run(&plan, part, skip, arguments, |text| {
+        let is_whole = tally.run(&plan, part, skip, arguments, map.as_mut(), |text| {
             bar.inc(1);
             output.write(text)
         })?;
@@ -102,6 +110,9 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
             hint(&format!("they are in {}", path.display()));
         }
         return Ok(Ending::Different);
+    }
+    if let Some((path, map)) = arguments.heatmap.as_ref().zip(map) {
+        files::write_bytes(path, map.drawn().svg().as_bytes())?;
     }
     if at_limit > 0 {
         say(&format!("{at_limit} of {rows} rows reached the limit before the net to wait for came"));
@@ -126,6 +137,7 @@ impl Tally {
         part: &Part,
         skip: u64,
         arguments: &SweepArguments,
+        mut map: Option<&mut Heat>,
         mut sink: impl FnMut(&str) -> ControlFlow<()> + Send,
     ) -> Result<bool, Report> {
         let design = part.design();
@@ -136,6 +148,9 @@ impl Tally {
         let done = batch.run(part.stimuli.feed(skip)?, |row| {
             self.at_limit += u64::from(row.stopped_by == StoppedBy::Limit);
             design.broken_requirements(row.inputs).iter().for_each(|requirement| self.broken[requirement.place] += 1);
+            if let Some(map) = map.as_mut() {
+                map.add(&rows, row);
+            }
             text.clear();
             rows.write(row, &mut text);
             sink(&text)

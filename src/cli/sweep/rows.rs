@@ -163,6 +163,11 @@ impl<'a> Rows<'a> {
         quantities.iter().map(|quantity| (quantity.name(), quantity.of(&frame))).collect()
     }
 
+    /// The same rows as CSV.
+    pub fn as_csv(&self) -> Self {
+        Self { format: Format::Csv, ..self.clone() }
+    }
+
     /// Appends a row and its line end.
     pub fn write(&self, row: Row<'_>, text: &mut String) {
         text.push_str(&self.beginning(row.inputs));
