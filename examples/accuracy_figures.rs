@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use stepwright::accuracy::{Frame, Meter, Tally};
 use stepwright::base::Report;
-use stepwright::files;
+use stepwright::picture::Svg;
 use stepwright::plot::{Axis, Chart, HeatMap, Series, Style};
 use stepwright::simulation::{Circuit, Session};
 use stepwright::trace::Select;
@@ -25,27 +25,25 @@ const SLOPES: u64 = 511;
 
 fn main() -> Result<(), Report> {
     let folder = std::env::args().nth(1).unwrap_or_else(|| ".".to_owned());
-    for (name, svg) in pictures()? {
-        files::write_bytes(&Path::new(&folder).join(name), svg.as_bytes())?;
+    for (name, picture) in pictures()? {
+        let path = Path::new(&folder).join(name);
+        picture.write(Some(&path.with_extension("svg")), Some(&path.with_extension("png")))?;
     }
     Ok(())
 }
 
-/// All pictures with the names of their files.
-pub fn pictures() -> Result<Vec<(&'static str, String)>, Report> {
+/// All pictures with the names of their files, without the ending.
+pub fn pictures() -> Result<Vec<(&'static str, Svg)>, Report> {
     Ok(vec![
+        ("fig3_device", path_of("su1522157/interpolator", "FIG. 3: the device, X = 8 and Y = 3", 0.75, DEVICE)?.svg()),
         (
-            "fig3_device.svg",
-            path_of("su1522157/interpolator", "FIG. 3: the device, X = 8 and Y = 3", 0.75, DEVICE)?.svg(),
-        ),
-        (
-            "fig4_prototype.svg",
+            "fig4_prototype",
             path_of("su1522157/prototype", "FIG. 4: the prototype, X = 8 and Y = 3", 1.0, PROTOTYPE)?.svg(),
         ),
-        ("fig5.svg", figure_5()?.svg()),
-        ("error_map.svg", error_map()?.svg()),
-        ("tie_map.svg", tie_map()?.svg()),
-        ("turned_polyline.svg", turned_polyline()?.svg()),
+        ("fig5", figure_5()?.svg()),
+        ("error_map", error_map()?.svg()),
+        ("tie_map", tie_map()?.svg()),
+        ("turned_polyline", turned_polyline()?.svg()),
     ])
 }
 

@@ -75,7 +75,7 @@ pub mod host;
 pub mod netlist;
 #[cfg(feature = "pictures")]
 pub mod picture;
-#[cfg(feature = "cli")]
+#[cfg(feature = "pictures")]
 pub mod plot;
 pub mod scenario;
 pub mod simulation;

@@ -297,8 +297,13 @@ fn an_interrupted_measurement_goes_on_and_comes_to_the_same() {
 #[test]
 fn the_picture_shows_the_law_and_the_measured_points_and_an_unwritable_one_is_refused_before_anything_runs() {
     let folder = folder();
-    assert_eq!(accuracy(&folder, &["su1522157/prototype", "--max", "100", "--svg", "a.svg"]).status.code(), Some(0));
+    assert_eq!(
+        accuracy(&folder, &["su1522157/prototype", "--max", "100", "--svg", "a.svg", "--png", "a.png"]).status.code(),
+        Some(0)
+    );
     let svg = std::fs::read_to_string(folder.path().join("a.svg")).expect("a file");
+    let png = std::fs::read(folder.path().join("a.png")).expect("a file");
+    assert!(png.starts_with(b"\x89PNG") && png.len() > 10_000);
     // A point for each degree of slope.
     assert_eq!(svg.matches("<circle").count(), 45);
     for text in ["law", "X up to 100", "degrees", "whole steps", "stepwright accuracy su1522157/prototype --max 100"] {

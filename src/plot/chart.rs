@@ -3,6 +3,7 @@
 use plotters::prelude::*;
 
 use super::{Axis, FONT, label, sheet};
+use crate::picture::Svg;
 
 /// How the points of a series are shown.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -42,9 +43,9 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The plot as SVG.
+    /// The plot as a picture.
     #[must_use]
-    pub fn svg(&self) -> String {
+    pub fn svg(&self) -> Svg {
         sheet(&self.title, &self.command, |area| {
             let [x, y] = [&self.x, &self.y].map(|axis| axis.range[0]..axis.range[1]);
             let mut builder = ChartBuilder::on(area);
@@ -95,6 +96,7 @@ mod tests {
     #[test]
     fn it_states_title_axes_legend_and_command_and_draws_each_point() {
         let svg = chart().svg();
+        let svg = svg.text();
         for text in
             ["A title &lt;&amp;&gt;", "angle, degrees", "deviation, steps", "a line", "dots", "stepwright accuracy x"]
         {
@@ -106,6 +108,7 @@ mod tests {
     #[test]
     fn the_middle_point_is_in_the_middle_and_above_the_others() {
         let svg = chart().svg();
+        let svg = svg.text();
         let number = |circle: &str, name: &str| -> f64 {
             let rest = circle.split(&format!("{name}=\"")).nth(1).expect("an attribute");
             rest.split('"').next().expect("a value").parse().expect("a number")

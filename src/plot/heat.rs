@@ -3,6 +3,7 @@
 use plotters::prelude::*;
 
 use super::{Axis, FONT, label, sheet};
+use crate::picture::Svg;
 
 /// Cells in a plane, each with the colour of its number.
 #[derive(Clone, PartialEq, Debug)]
@@ -28,9 +29,9 @@ const COLOURS: [[f64; 3]; 4] = [[40.0, 30.0, 90.0], [40.0, 130.0, 140.0], [150.0
 const SCALE: u32 = 64;
 
 impl HeatMap {
-    /// The map as SVG.
+    /// The map as a picture.
     #[must_use]
-    pub fn svg(&self) -> String {
+    pub fn svg(&self) -> Svg {
         let numbers = self.cells.iter().map(|cell| cell[2]);
         let (least, most) = numbers.fold((f64::MAX, f64::MIN), |(a, b), number| (a.min(number), b.max(number)));
         let share = |number: f64| if most > least { (number - least) / (most - least) } else { 0.0 };
@@ -102,6 +103,7 @@ mod tests {
         let [title, x, y, of, command] =
             ["A map", "major, steps", "minor, steps", "deviation", "stepwright sweep"].map(str::to_owned);
         let svg = HeatMap { title, x, y, of, command, cells }.svg();
+        let svg = svg.text();
         for text in ["A map", "major, steps", "minor, steps", "deviation", "stepwright sweep"] {
             assert!(svg.contains(text), "{text}");
         }
@@ -115,7 +117,7 @@ mod tests {
     fn a_map_of_one_cell_or_none_is_drawn_without_its_scale_running_away() {
         for cells in [vec![], vec![[1.0, 1.0, 4.0]], vec![[1.0, 1.0, 4.0], [2.0, 1.0, 4.0]]] {
             let [title, x, y, of, command] = [""; 5].map(str::to_owned);
-            assert!(HeatMap { title, x, y, of, command, cells }.svg().contains("</svg>"));
+            assert!(HeatMap { title, x, y, of, command, cells }.svg().png().is_ok());
         }
     }
 }

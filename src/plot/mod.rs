@@ -1,4 +1,4 @@
-//! Plots: numbers as SVG, with axes, units, a title, and the command that made them.
+//! Plots: numbers as pictures, with axes, units, a title, and the command that made them.
 //!
 //! The layout is that of the crate `plotters`, whose SVG back end writes the text; nothing of it is seen outside.
 
@@ -9,6 +9,8 @@ pub use chart::{Chart, Series, Style};
 pub use heat::HeatMap;
 
 use plotters::prelude::*;
+
+use crate::picture::Svg;
 
 /// Width and height of a plot, in pixels.
 const SIZE: (u32, u32) = (800, 600);
@@ -40,12 +42,8 @@ fn label(number: &f64) -> String {
     ((number * 1e6).round() / 1e6).to_string()
 }
 
-/// The text of a plot that `draw` draws below its title, on a white sheet with `command` at its foot.
-fn sheet(
-    title: &str,
-    command: &str,
-    draw: impl FnOnce(&DrawingArea<SVGBackend<'_>, plotters::coord::Shift>),
-) -> String {
+/// A plot that `draw` draws below its title, on a white sheet with `command` at its foot.
+fn sheet(title: &str, command: &str, draw: impl FnOnce(&DrawingArea<SVGBackend<'_>, plotters::coord::Shift>)) -> Svg {
     let mut text = String::new();
     {
         let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
@@ -58,5 +56,5 @@ fn sheet(
         }
         let _ = area.present();
     }
-    text
+    Svg::new(text)
 }

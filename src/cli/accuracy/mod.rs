@@ -17,6 +17,7 @@ use super::{Ending, check_files, print};
 use crate::accuracy::{Reference, draws_strokes};
 use crate::base::{Diagnostic, Report};
 use crate::files;
+use crate::picture::Svg;
 use crate::simulation::{Session, measurable};
 
 /// Arguments of `accuracy`.
@@ -53,6 +54,9 @@ pub struct AccuracyArguments {
     /// Draw the deviation of each degree of slope, and the law, as FIG. 5 does
     #[arg(long, value_name = "FILE", conflicts_with = "over")]
     pub svg: Option<PathBuf>,
+    /// The same as PNG
+    #[arg(long, value_name = "FILE", conflicts_with = "over")]
+    pub png: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -74,7 +78,7 @@ trait Measured {
     /// A table for programs.
     fn csv(&self) -> String;
     /// A picture, of what there is one of.
-    fn svg(&self) -> Option<String> {
+    fn svg(&self) -> Option<Svg> {
         None
     }
     /// One object.
@@ -99,8 +103,8 @@ pub(super) fn accuracy(arguments: &AccuracyArguments) -> Result<Ending, Report> 
     if let Some(path) = &arguments.csv {
         files::write_bytes(path, measured.csv().as_bytes())?;
     }
-    if let Some((path, picture)) = arguments.svg.as_ref().zip(measured.svg()) {
-        files::write_bytes(path, picture.as_bytes())?;
+    if let Some(picture) = measured.svg() {
+        picture.write(arguments.svg.as_deref(), arguments.png.as_deref())?;
     }
     print(&if arguments.json { format!("{:#}\n", measured.json()) } else { measured.text() })?;
     Ok(if measured.is_good() { Ending::Done } else { Ending::Different })
@@ -119,7 +123,7 @@ fn of_circuit(
     is_first: bool,
 ) -> Result<Option<Box<dyn Measured>>, Report> {
     if session.scenario().measure.is_none() && draws_strokes(session.clone())? {
-        does_nothing(arguments, "is a generator of strokes", &["--threads", "--checkpoint", "--svg"])?;
+        does_nothing(arguments, "is a generator of strokes", &["--threads", "--checkpoint", "--svg", "--png"])?;
         return Ok(Some(Box::new(strokes::of_circuit(&session, arguments, is_first)?)));
     }
     let session = session.measured().map_err(with_all_that_is_known)?;
@@ -128,7 +132,7 @@ fn of_circuit(
 
 /// Checks the files of a command, once.
 fn check_outputs(session: &crate::simulation::Design, arguments: &AccuracyArguments) -> Result<(), Report> {
-    let writes = [&arguments.csv, &arguments.checkpoint, &arguments.svg].into_iter().flatten();
+    let writes = [&arguments.csv, &arguments.checkpoint, &arguments.svg, &arguments.png].into_iter().flatten();
     check_files(session.files().iter().map(PathBuf::as_path), writes.map(PathBuf::as_path))
 }
 
@@ -140,6 +144,7 @@ fn does_nothing(arguments: &AccuracyArguments, is: &str, options: &[&str]) -> Re
         ("--threads", arguments.threads.is_some()),
         ("--checkpoint", arguments.checkpoint.is_some()),
         ("--svg", arguments.svg.is_some()),
+        ("--png", arguments.png.is_some()),
     ];
     match given.iter().find(|(option, is_given)| *is_given && options.contains(option)) {
         Some((option, _)) => {

@@ -12,6 +12,7 @@ use super::table::Shown;
 use super::{AccuracyArguments, Measured, check_outputs, does_nothing};
 use crate::accuracy::{Meter, Reference, count};
 use crate::base::{Diagnostic, Report, StoppedBy};
+use crate::picture::Svg;
 use crate::simulation::Session;
 
 /// How often the checkpoint is written.
@@ -29,7 +30,7 @@ pub fn of_reference(reference: Reference, arguments: &AccuracyArguments) -> Resu
         let message = format!("a projection of {} is more than an algorithm takes here", arguments.max);
         return Err(Diagnostic::new("A002", message).help(format!("it takes up to {MOST_OF_REFERENCE}")).into());
     }
-    check_files([], arguments.csv.iter().chain(&arguments.svg).map(std::path::PathBuf::as_path))?;
+    check_files([], arguments.csv.iter().chain(&arguments.svg).chain(&arguments.png).map(std::path::PathBuf::as_path))?;
     Ok(Shown {
         name: reference.name().to_owned(),
         inputs: ["major".into(), "minor".into()],
@@ -108,7 +109,7 @@ impl Measured for Shown {
         Shown::csv(self)
     }
 
-    fn svg(&self) -> Option<String> {
+    fn svg(&self) -> Option<Svg> {
         Some(Shown::chart(self).svg())
     }
 

@@ -20,7 +20,6 @@ use super::long_run::{hint, progress};
 use super::{Ending, check_files, interrupt, say};
 use crate::accuracy::Quantity;
 use crate::base::{Diagnostic, Report, StoppedBy};
-use crate::files;
 use crate::simulation::Design;
 use description::Description;
 pub(super) use description::{differences, hash_of};
@@ -112,7 +111,7 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
         return Ok(Ending::Different);
     }
     if let Some((path, map)) = arguments.heatmap.as_ref().zip(map) {
-        files::write_bytes(path, map.drawn().svg().as_bytes())?;
+        map.drawn().svg().write(Some(path), None)?;
     }
     if at_limit > 0 {
         say(&format!("{at_limit} of {rows} rows reached the limit before the net to wait for came"));
