@@ -60,6 +60,8 @@
 //! | bless | to make a new trace golden |
 #![warn(missing_docs)]
 
+#[cfg(feature = "cli")]
+pub mod accuracy;
 pub mod base;
 pub mod blocks;
 #[cfg(feature = "cli")]
@@ -73,6 +75,8 @@ pub mod host;
 pub mod netlist;
 #[cfg(feature = "pictures")]
 pub mod picture;
+#[cfg(feature = "pictures")]
+pub mod plot;
 pub mod scenario;
 pub mod simulation;
 pub mod trace;

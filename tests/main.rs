@@ -1,5 +1,7 @@
 //! The one integration-test binary; each module tests one concern from outside.
 
+/// `accuracy`: what a meter behind the interpolator says.
+mod accuracy;
 /// What `check` says went wrong first.
 mod cause;
 /// The command line as scripts see it.
@@ -23,6 +25,8 @@ mod goldens;
 /// Signals, and what they leave.
 #[cfg(target_os = "linux")]
 mod interrupts;
+/// Sweeps that measure.
+mod measures;
 /// Circuits as text.
 mod netlist;
 /// Numerals of figures and names in circuits.

@@ -36,6 +36,30 @@ fn the_picture_on_the_front_page_is_what_its_command_prints() {
     assert!(folder.path().join("table1.gtkw").is_file());
 }
 
+/// Each command of a page in a shell block, with what the page says it prints: the text block just behind it.
+fn commands(page: &str) -> Vec<(String, String)> {
+    let mut parts = page.split("```sh\n").skip(1).filter_map(|rest| rest.split_once("```\n\n```text\n")).peekable();
+    let shown = |(command, rest): (&str, &str)| {
+        let output = rest.split("```").next().expect("a first part");
+        (!command.contains("```")).then(|| (command.trim().to_owned(), output.to_owned()))
+    };
+    assert!(parts.peek().is_some(), "the page has no command with its output");
+    parts.filter_map(shown).collect()
+}
+
+#[test]
+fn what_stands_below_a_command_on_the_pages_of_accuracy_is_what_it_prints() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for path in ["docs/accuracy.md", "docs/hazards.md"] {
+        for (command, expected) in commands(&page(path)) {
+            let words = shlex::split(&command).expect("words");
+            let mut program = Command::new(env!("CARGO_BIN_EXE_stepwright"));
+            let output = program.current_dir(&folder).args(&words[1..]).output().expect("it starts");
+            assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{path}: {command}");
+        }
+    }
+}
+
 #[test]
 fn every_key_of_a_scenario_is_on_its_page() {
     let page = page("docs/scenarios.md");

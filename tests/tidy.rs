@@ -20,6 +20,8 @@ const MAY_IMPORT: &[(&str, Option<&[&str]>)] = &[
     // The front door puts the rooms together; only the command line stands before it.
     ("simulation", Some(&["base", "blocks", "netlist", "compile", "engine", "files", "scenario", "trace"])),
     ("host", Some(&["base", "simulation"])),
+    ("plot", Some(&["picture"])),
+    ("accuracy", Some(&["base", "scenario", "simulation", "trace"])),
     ("cli", None),
 ];
 

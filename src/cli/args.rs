@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand};
 
+pub use super::accuracy::AccuracyArguments;
 use super::completions;
 pub use super::sweep::SweepArguments;
 use crate::base::word::of_letters;
@@ -101,6 +102,8 @@ pub enum Command {
     },
     /// Run many stimuli of a circuit, one row of results each
     Sweep(SweepArguments),
+    /// Measure how far an interpolator's paths are from the ideal line, over all segments there are
+    Accuracy(AccuracyArguments),
     /// Write a circuit in a form that other tools read
     #[command(after_help = "Example:\n  stepwright export su1522157/table1 --verilog out\n  \
         iverilog -g2005 -o bench.vvp out/*.v && vvp -n bench.vvp")]
@@ -175,7 +178,7 @@ impl Target {
 }
 
 /// One of two values would do nothing.
-fn given_once<'n>(option: &str, names: impl Iterator<Item = &'n String>) -> Result<(), Diagnostic> {
+pub(super) fn given_once<'n>(option: &str, names: impl Iterator<Item = &'n String>) -> Result<(), Diagnostic> {
     let mut known = HashSet::new();
     match names.into_iter().find(|name| !known.insert(*name)) {
         Some(name) => {
@@ -250,13 +253,13 @@ fn engine() -> impl TypedValueParser<Value = EngineKind> {
 }
 
 /// `NAME=VALUE`.
-fn assignment<T: FromText>(text: &str) -> Result<(String, T), String> {
+pub(super) fn assignment<T: FromText>(text: &str) -> Result<(String, T), String> {
     let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
     T::from_text(value.trim()).map(|value| (name.trim().to_owned(), value))
 }
 
 /// A value that can stand after `NAME=`.
-trait FromText: Sized {
+pub(super) trait FromText: Sized {
     fn from_text(text: &str) -> Result<Self, String>;
 }
 

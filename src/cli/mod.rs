@@ -1,5 +1,6 @@
 //! The command line: the only room that prints.
 
+mod accuracy;
 mod args;
 mod check;
 mod completions;
@@ -8,6 +9,7 @@ mod drivers;
 mod export;
 mod interrupt;
 mod list;
+mod long_run;
 mod observers;
 mod result;
 mod run;
@@ -86,6 +88,7 @@ fn command(command: Command) -> Result<Ending, Report> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check { scenarios, bless, engine, json } => check::check(&scenarios, bless, engine, json),
         Command::Diff { a, b, json } => diff::diff(&a, &b, json),
+        Command::Accuracy(arguments) => accuracy::accuracy(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Export { target, verilog } => export::export(&target, &verilog),
         Command::Completions { shell } => {

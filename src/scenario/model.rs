@@ -42,8 +42,38 @@ pub struct Scenario {
     pub table: Option<Table>,
     /// The two signals whose path `run` draws.
     pub plot: Option<Plot>,
+    /// What it measures, when its circuit is another one with a meter behind it.
+    pub measure: Option<Measure>,
     /// What must come out.
     pub expect: Expectations,
+}
+
+/// What a circuit with a `deviation_meter` says of the linear interpolator before it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Measure {
+    /// The circuit that it measures.
+    pub of: String,
+    /// The input of the greater projection.
+    pub major: Named<()>,
+    /// The input of the lesser one.
+    pub minor: Named<()>,
+    /// How long a combined step is along each axis, in whole steps.
+    pub combined: f64,
+    /// The deviation that is claimed of a segment at an angle a: `sin` times sin a and `cos` times cos a, in whole steps.
+    pub law: Law,
+    /// The same as it is printed: an amplitude in whole steps, and the angle in degrees that is added to a.
+    pub printed: Option<[f64; 2]>,
+    /// How far off the end may be along either axis, in whole steps.
+    pub end: f64,
+}
+
+/// A deviation over the angle of a segment: a sum of its sine and its cosine.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Law {
+    /// Factor of the sine.
+    pub sin: f64,
+    /// Factor of the cosine.
+    pub cos: f64,
 }
 
 /// Inputs that change at a tick.

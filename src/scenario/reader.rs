@@ -1,9 +1,12 @@
 //! Reads a scenario file (TOML), and finds all that is wrong with it in one run.
 
+mod measure;
+mod plot;
+
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::model::{Axis, Change, Expectations, Named, Plot, Scenario, Stop, Table, UntilNet};
+use super::model::{Change, Expectations, Named, Scenario, Stop, Table, UntilNet};
 use super::number::Number;
 use super::require::Requirement;
 use crate::base::word::of_letters;
@@ -22,6 +25,7 @@ pub const KEYS: &[(&str, &[&str])] = &[
     ("trace", &["signals"]),
     ("table", &["when", "after", "columns"]),
     ("plot", &["x", "y", "pen"]),
+    ("measure", &["of", "major", "minor", "combined", "law", "printed", "end"]),
     ("expect", &["ticks", "stopped_by", "outputs", "pulses"]),
 ];
 
@@ -222,6 +226,7 @@ impl Reader {
             "trace" => scenario.trace = reader.trace(value),
             "table" => scenario.table = reader.shown_table(value),
             "plot" => scenario.plot = reader.plot(value),
+            "measure" => scenario.measure = reader.measure(value),
             _ => scenario.expect = reader.expect(value),
         });
         if !root.contains_key("circuit") {
@@ -324,28 +329,6 @@ impl Reader {
             _ => shown.columns = reader.names(value, NAMES),
         });
         Some(shown)
-    }
-
-    fn plot(&mut self, value: &Value<'_>) -> Option<Plot> {
-        let (mut x, mut y, mut pen) = (None, None, None);
-        let table = self.table(value)?;
-        self.keys_of("plot", table, |reader, key, value| match key {
-            "x" => x = reader.axis(value),
-            "y" => y = reader.axis(value),
-            _ => pen = reader.one_name(value),
-        });
-        if !table.contains_key("x") || !table.contains_key("y") {
-            self.missing(value, "a [plot] needs both `x` and `y`");
-        }
-        Some(Plot { x: x?, y: y?, pen })
-    }
-
-    fn axis(&mut self, value: &Value<'_>) -> Option<Axis> {
-        if value.get_ref().is_table() {
-            let length = |reader: &mut Self, value: &Value<'_>| reader.number(value).map(Number::to_f64);
-            return Some(Axis::Steps(self.entries(value, length)));
-        }
-        self.one_name(value).map(Axis::Signal)
     }
 
     fn expect(&mut self, value: &Value<'_>) -> Expectations {

@@ -49,6 +49,13 @@ impl Design {
 }
 
 impl<'a> Batch<'a> {
+    /// The same batch without the counts of pulses, which cost something in every tick.
+    #[must_use]
+    pub fn without_pulses(self) -> Self {
+        let program = compile(self.design.netlist(), &Observe { until: self.design.until(), ..Observe::OUTPUTS });
+        Self { program: Arc::new(program), ..self }
+    }
+
     /// The same batch on so many threads.
     ///
     /// # Errors

@@ -61,6 +61,13 @@ impl Session {
         &self.circuit
     }
 
+    /// The same session on another circuit, with another scenario.
+    pub(super) fn on(mut self, circuit: Circuit, scenario: impl FnOnce(Scenario) -> Scenario) -> Self {
+        self.circuit = circuit;
+        self.scenario = scenario(self.scenario);
+        self
+    }
+
     /// What the scenario says, with what was changed since.
     #[must_use]
     pub fn scenario(&self) -> &Scenario {

@@ -34,7 +34,7 @@ pub struct Machine {
     inputs: [Input; 4],
     busy: Net,
     steps: [(Net, Step); 3],
-    state: [Net; 10],
+    state: Vec<Net>,
 }
 
 /// The circuit with some parameters.
@@ -46,15 +46,27 @@ pub fn interpolator(parameters: &[(&str, i64)]) -> Session {
 impl Machine {
     /// The interpolator at power-on.
     pub fn new(parameters: &[(&str, i64)]) -> Self {
-        let seen = Select::new(STATE.iter().chain(&NETS)).expect("globs");
-        let run = interpolator(parameters).observe(seen).start().unwrap_or_else(|report| panic!("{report}"));
+        Self::of(interpolator(parameters), &STATE)
+    }
+
+    /// The prototype at power-on. It has no delay 13.
+    pub fn prototype(parameters: &[(&str, i64)]) -> Self {
+        let session = Circuit::shipped("su1522157/prototype").expect("the circuit").session();
+        let session = parameters.iter().fold(session, |session, (name, value)| session.parameter(name, *value));
+        let state: Vec<_> = STATE.into_iter().filter(|name| *name != "active_13").collect();
+        Self::of(session, &state)
+    }
+
+    fn of(session: Session, state: &[&str]) -> Self {
+        let seen = Select::new(state.iter().chain(&NETS)).expect("globs");
+        let run = session.observe(seen).start().unwrap_or_else(|report| panic!("{report}"));
         let net = |name: &str| run.net(name).expect("a net");
         Self {
             inputs: ["major_32", "minor_34", "x_is_major_35", "start_33"]
                 .map(|name| run.input(name).expect("an input")),
             busy: net("busy"),
             steps: [(net("step_x_36"), Step::X), (net("step_y_37"), Step::Y), (net("step_xy_38"), Step::Both)],
-            state: STATE.map(net),
+            state: state.iter().copied().map(net).collect(),
             run,
         }
     }

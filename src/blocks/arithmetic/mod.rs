@@ -2,8 +2,10 @@
 
 mod words;
 
+pub mod absolute_value;
 pub mod dda_integrator;
 pub mod delay_regulator;
+pub mod deviation_meter;
 pub mod difference_circuit;
 pub mod diode_approximator;
 pub mod divider;

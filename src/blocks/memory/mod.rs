@@ -8,6 +8,7 @@ pub mod instruction_counter;
 pub mod instruction_memory;
 pub mod lfsr;
 pub mod pointer_table;
+pub mod position_counter;
 pub mod presettable_memory;
 pub mod register;
 pub mod reversible_counter;

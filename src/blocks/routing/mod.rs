@@ -5,6 +5,7 @@ pub mod bound_switch;
 pub mod data_switch;
 pub mod instruction_multiplexer;
 pub mod multiplexer;
+pub mod octant_commutator;
 pub mod or_network;
 pub mod polarity_gate;
 pub mod presettable_decoder;

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
-use super::stimuli::Stimuli;
+use super::SweepArguments;
+use super::plan::Part;
 use crate::base::word::decode;
 use crate::base::{Diagnostic, Report, StopRule};
 use crate::files;
@@ -17,7 +18,7 @@ use crate::netlist::{Net, Netlist};
 use crate::simulation::Design;
 
 /// The number of the form of descriptions and rows.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// What makes the rows of a sweep what they are, as JSON.
 #[derive(PartialEq, Debug)]
@@ -25,8 +26,9 @@ pub struct Description(Value);
 
 impl Description {
     /// That of a sweep: the circuit by the hash of all its texts, its parameters, the inputs that are held and those
-    /// that change over time, when a run stops, and the stimuli.
-    pub fn new(design: &Design, stimuli: &Stimuli) -> Self {
+    /// that change over time, when a run stops, the stimuli, and what varies of the parameters and is measured.
+    pub fn new(arguments: &SweepArguments, part: &Part) -> Self {
+        let (design, stimuli) = (part.design(), &part.stimuli);
         let (netlist, stimulus) = (design.netlist(), design.stimulus());
         let number = |input: usize, word: u64| {
             let Net { width, signed, .. } = input_net(netlist, input);
@@ -40,6 +42,7 @@ impl Description {
             format!("tick {}: {name} = {number}", change.tick)
         });
         let parameters: Map<_, _> = netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
+        let varied = arguments.over.iter().filter(|over| over.name.starts_with("p:")).map(ToString::to_string);
         Self(json!({
             "format": FORMAT,
             "stepwright": env!("CARGO_PKG_VERSION"),
@@ -49,6 +52,8 @@ impl Description {
             "changes": changes.collect::<Vec<_>>(),
             "stop": stop(design),
             "stimuli": stimuli.describe(),
+            "over_parameters": varied.collect::<Vec<_>>(),
+            "measure": arguments.measure.iter().map(|quantity| quantity.name()).collect::<Vec<_>>(),
         }))
     }
 
@@ -98,7 +103,7 @@ fn input_net(netlist: &Netlist, input: usize) -> &Net {
 }
 
 /// The hash of all texts, in the order in which they were read; their places do not matter.
-fn hash_of(netlist: &Netlist) -> String {
+pub(in crate::cli) fn hash_of(netlist: &Netlist) -> String {
     let mut hasher = Sha256::new();
     for (_, text) in netlist.sources.iter() {
         hasher.update((text.len() as u64).to_le_bytes());
@@ -123,7 +128,7 @@ fn stop(design: &Design) -> String {
 }
 
 /// A line for each value that differs, by its place.
-fn differences(place: &str, there: &Value, here: &Value, lines: &mut Vec<String>) {
+pub(in crate::cli) fn differences(place: &str, there: &Value, here: &Value, lines: &mut Vec<String>) {
     match (there, here) {
         (Value::Object(a), Value::Object(b)) => {
             let names: std::collections::BTreeSet<_> = a.keys().chain(b.keys()).collect();

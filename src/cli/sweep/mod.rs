@@ -2,24 +2,32 @@
 
 mod csv_file;
 mod description;
+mod heatmap;
+mod plan;
 mod ranges;
 mod resume;
 mod rows;
 mod stimuli;
 
-use std::io::{self, IsTerminal, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::args::Target;
+use super::long_run::{hint, progress};
 use super::{Ending, check_files, interrupt, say};
+use crate::accuracy::Quantity;
 use crate::base::{Diagnostic, Report, StoppedBy};
 use crate::simulation::Design;
 use description::Description;
-use ranges::Over;
-use rows::{Format, Rows};
+pub(super) use description::{differences, hash_of};
+use heatmap::Heat;
+pub(super) use plan::sets;
+use plan::{Part, Plan};
+pub(super) use ranges::Over;
+use rows::Format;
 pub use stimuli::Stimuli;
 
 /// Arguments of `sweep`.
@@ -27,15 +35,17 @@ pub use stimuli::Stimuli;
 #[command(after_help = "Examples:\n  \
     stepwright sweep su1522157/interpolator --over major_32=0..=255 --over minor_34=0..=255 --out frames.csv\n  \
     stepwright sweep su1522157/interpolator -s minor_34=3 --over major_32=3,5,8..=64:8\n  \
-    stepwright sweep su1522157/interpolator --from frames.csv --out results.jsonl\n\n\
-    A range a..b ends before b, a..=b with it; :s takes every s-th. With several --over the last varies fastest.\n\
+    stepwright sweep su1522157/interpolator --from frames.csv --out results.jsonl\n  \
+    stepwright sweep su1522157/interpolator --over p:DELAY_13=1..=4 --over minor_34=0..=16 --measure deviation,steps\n\n\
+    A range a..b ends before b, a..=b with it; :s takes every s-th. With several --over the last varies fastest,\n\
+    and parameters (p:NAME) slower than inputs.\n\
     Rows are CSV, or JSON lines when the file's name ends in .jsonl. Interrupted (Ctrl-C), the file holds all rows done\n\
     so far; the same command with --resume goes on from there. What sweep they are of stands in FILE.sweep beside it.")]
 pub struct SweepArguments {
     /// What to run.
     #[command(flatten)]
     pub target: Target,
-    /// Take an input through ranges and lists of values: 0..10, 0..=255:5, 1,2,5
+    /// Take an input, or with p: a parameter, through ranges and lists of values: 0..10, 0..=255:5, 1,2,5
     #[arg(long, value_name = "NAME=RANGE", value_parser = Over::parse, required_unless_present = "from")]
     pub over: Vec<Over>,
     /// Take inputs from a CSV file whose header names them
@@ -47,6 +57,15 @@ pub struct SweepArguments {
     /// Threads to run on; all cores by default
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
+    /// Add columns that are measured: the circuit is run with a meter behind it (see `accuracy`)
+    #[arg(long, value_name = "NAME,..", value_delimiter = ',', value_parser = quantity())]
+    pub measure: Vec<Quantity>,
+    /// Draw the two inputs or parameters that vary against a column
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["resume", "from"])]
+    pub heatmap: Option<PathBuf>,
+    /// The column that the heat map shows; the first that is measured without it
+    #[arg(long, value_name = "NAME", requires = "heatmap")]
+    pub column: Option<String>,
     /// Go on with a file that an interrupted sweep left
     #[arg(long, requires = "out")]
     pub resume: bool,
@@ -54,54 +73,97 @@ pub struct SweepArguments {
 
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     let format = Format::of(arguments.out.as_deref())?;
-    let design = arguments.target.session()?.elaborate()?;
+    let plan = Plan::new(arguments, format)?;
+    let Some(all) = plan.rows() else {
+        return Err(Diagnostic::new("C064", "the sweep has more than 2^64 stimuli").help("narrow a range").into());
+    };
     let out = arguments.out.as_deref().unwrap_or(Path::new("-"));
     let beside = Description::path(out);
-    let reads = design.files().iter().chain(&arguments.from).map(PathBuf::as_path);
-    check_files(reads, [out, beside.as_path()])?;
-    let stimuli = match &arguments.from {
-        Some(path) => Stimuli::from_csv(path, &design)?,
-        None => Stimuli::over(&arguments.over, &design)?,
-    };
-    set_and_swept(arguments, &design, stimuli.varied())?;
-    let mut batch = design.batch();
-    if let Some(threads) = arguments.threads {
-        batch = batch.threads(threads.into())?;
+    let reads = plan.first().design().files().iter().chain(&arguments.from).map(PathBuf::as_path);
+    check_files(reads, [out, beside.as_path()].into_iter().chain(arguments.heatmap.as_deref()))?;
+    let mut map = arguments.heatmap.as_ref().map(|_| Heat::of(arguments, &plan)).transpose()?;
+    let (mut output, left) = resume::open(out, arguments, &plan)?;
+    let bar = progress(all, left.rows, "rows");
+    let mut tally = Tally { rows: left.rows, at_limit: left.at_limit, broken: Vec::new() };
+    for (part, skip) in plan.from(left.rows) {
+        let is_whole = tally.run(&plan, part, skip, arguments, map.as_mut(), |text| {
+            bar.inc(1);
+            output.write(text)
+        })?;
+        if !is_whole {
+            break;
+        }
     }
-    let rows = Rows::new(format, &batch, stimuli.varied());
-    let description = Description::new(&design, &stimuli);
-    let (mut output, left) = resume::open(out, arguments.resume, &rows, &stimuli, &description)?;
-    let bar = progress(stimuli.count(), left.rows);
-    let mut text = String::new();
-    let mut at_limit = left.at_limit;
-    let mut broken = vec![0_u64; design.scenario().require.len()];
-    let done = batch.cancelled_by(interrupt::flag()).run(stimuli.feed(left.rows)?, |row| {
-        at_limit += u64::from(row.stopped_by == StoppedBy::Limit);
-        design.broken_requirements(row.inputs).iter().for_each(|requirement| broken[requirement.place] += 1);
-        text.clear();
-        rows.write(row, &mut text);
-        bar.inc(1);
-        output.write(&text)
-    })?;
     bar.finish_and_clear();
-    for (requirement, rows) in design.scenario().require.iter().zip(broken).filter(|(_, rows)| *rows > 0) {
-        let (wanted, all) = (&requirement.value, done.rows);
-        say(&format!("warning: the inputs should satisfy {wanted}, but in {rows} of {all} rows they do not"));
+    let requirements = &plan.first().design().scenario().require;
+    let run = tally.rows - left.rows;
+    for (requirement, rows) in requirements.iter().zip(&tally.broken).filter(|(_, rows)| **rows > 0) {
+        let wanted = &requirement.value;
+        say(&format!("warning: the inputs should satisfy {wanted}, but in {rows} of {run} rows they do not"));
     }
     output.finish()?;
-    let rows = left.rows + done.rows;
-    if rows < stimuli.count() {
-        say(&format!("interrupted after {rows} of {} rows", stimuli.count()));
+    let Tally { rows, at_limit, .. } = tally;
+    if rows < all {
+        say(&format!("interrupted after {rows} of {all} rows"));
         if let Some(path) = &arguments.out {
-            hint(path);
+            hint(&format!("they are in {}", path.display()));
         }
         return Ok(Ending::Different);
+    }
+    if let Some((path, map)) = arguments.heatmap.as_ref().zip(map) {
+        map.drawn().svg().write(Some(path), None)?;
     }
     if at_limit > 0 {
         say(&format!("{at_limit} of {rows} rows reached the limit before the net to wait for came"));
         return Ok(Ending::Different);
     }
     Ok(Ending::Done)
+}
+
+/// What is told of the rows when all are done.
+struct Tally {
+    rows: u64,
+    at_limit: u64,
+    /// For each requirement the rows that break it.
+    broken: Vec<u64>,
+}
+
+impl Tally {
+    /// Runs a part from row `skip` on, and gives its lines to `sink`; `false` when it was broken off.
+    fn run(
+        &mut self,
+        plan: &Plan,
+        part: &Part,
+        skip: u64,
+        arguments: &SweepArguments,
+        mut map: Option<&mut Heat>,
+        mut sink: impl FnMut(&str) -> ControlFlow<()> + Send,
+    ) -> Result<bool, Report> {
+        let design = part.design();
+        let batch = part.batch(arguments)?.cancelled_by(interrupt::flag());
+        let rows = plan.written(part, &batch, arguments);
+        self.broken.resize(design.scenario().require.len(), 0);
+        let mut text = String::new();
+        let done = batch.run(part.stimuli.feed(skip)?, |row| {
+            self.at_limit += u64::from(row.stopped_by == StoppedBy::Limit);
+            design.broken_requirements(row.inputs).iter().for_each(|requirement| self.broken[requirement.place] += 1);
+            if let Some(map) = map.as_mut() {
+                map.add(&rows, row);
+            }
+            text.clear();
+            rows.write(row, &mut text);
+            sink(&text)
+        })?;
+        self.rows += done.rows;
+        Ok(skip + done.rows == part.stimuli.count())
+    }
+}
+
+/// A quantity by its name.
+fn quantity() -> impl TypedValueParser<Value = Quantity> {
+    PossibleValuesParser::new(Quantity::ALL.map(Quantity::name)).map(|name| {
+        Quantity::ALL.into_iter().find(|quantity| quantity.name() == name).expect("one of the possible values")
+    })
 }
 
 /// A value of `--set` for an input that the sweep varies would do nothing.
@@ -114,30 +176,6 @@ fn set_and_swept(arguments: &SweepArguments, design: &Design, varied: &[usize]) 
         }
         None => Ok(()),
     }
-}
-
-/// A bar on standard error when that is a terminal.
-fn progress(count: u64, done: u64) -> ProgressBar {
-    let target =
-        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-    let bar = ProgressBar::with_draw_target(Some(count), target).with_position(done);
-    let style = ProgressStyle::with_template("{wide_bar} {human_pos} of {human_len} rows, {per_sec}, {eta} left");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar.reset_eta();
-    bar
-}
-
-/// Tells how to go on, as it can be typed.
-fn hint(out: &Path) {
-    let mut typed: Vec<_> = std::env::args_os().filter(|word| word != "--resume").collect();
-    // After the name of the command: what follows may be cut by a `--`.
-    typed.insert(2.min(typed.len()), "--resume".into());
-    let words = typed.iter().map(|word| word.as_encoded_bytes());
-    let mut line = format!("they are in {}; to go on:\n  ", out.display()).into_bytes();
-    // An argument has no NUL, which is all that cannot be quoted.
-    line.extend(shlex::bytes::try_join(words).unwrap_or_default());
-    line.push(b'\n');
-    let _ = io::stderr().write_all(&line);
 }
 
 /// A sweep over an input that the scenario changes by itself would show words that the circuit never had.

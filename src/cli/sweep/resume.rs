@@ -9,9 +9,10 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use super::SweepArguments;
 use super::description::Description;
+use super::plan::Plan;
 use super::rows::Rows;
-use super::stimuli::Stimuli;
 use crate::base::{Diagnostic, Report};
 use crate::files::{self, Lasting};
 
@@ -70,25 +71,24 @@ pub struct Left {
 /// # Errors
 /// `C003` what cannot be written, `C031` what another sweep is writing, `C066` a file that this sweep cannot have
 /// left.
-pub fn open(
-    path: &Path,
-    resume: bool,
-    rows: &Rows,
-    stimuli: &Stimuli,
-    description: &Description,
-) -> Result<(Output, Left), Report> {
+pub fn open(path: &Path, arguments: &SweepArguments, plan: &Plan) -> Result<(Output, Left), Report> {
+    let part = plan.first();
+    let batch = part.batch(arguments)?;
+    let rows = &plan.written(part, &batch, arguments);
+    let description = &Description::new(arguments, part);
     let wrong = |error: io::Error| Report::from(files::unwritable(path, &error));
     let mut left = Left::default();
     let to: Box<dyn Write + Send> = match Lasting::open(path)? {
-        Lasting::Stream(_) if resume => {
+        Lasting::Stream(_) if arguments.resume => {
             let message = format!("there is nothing to go on with in {}, which is no file", path.display());
             return Err(Diagnostic::new("C066", message).into());
         }
         Lasting::Stream(stream) => Box::new(stream),
         Lasting::File(mut file) => {
-            if resume {
+            if arguments.resume {
                 left = Left::of(&file, rows).map_err(wrong)?;
-                left.check(path, rows, stimuli, description)?;
+                left.check(path, rows, description)?;
+                left.check_last(path, arguments, plan)?;
             }
             file.set_len(left.bytes).and_then(|()| file.seek(SeekFrom::End(0))).map_err(wrong)?;
             if left.bytes == 0 {
@@ -106,7 +106,7 @@ pub fn open(
 }
 
 impl Left {
-    fn of(file: &File, rows: &Rows) -> io::Result<Self> {
+    fn of(file: &File, rows: &Rows<'_>) -> io::Result<Self> {
         let mut reader = BufReader::with_capacity(1 << 18, file);
         let mut left = Self::default();
         let header = rows.header();
@@ -126,28 +126,37 @@ impl Left {
     }
 
     /// An error if these lines are not of this sweep.
-    fn check(&self, path: &Path, rows: &Rows, stimuli: &Stimuli, description: &Description) -> Result<(), Report> {
+    fn check(&self, path: &Path, rows: &Rows<'_>, description: &Description) -> Result<(), Report> {
         if self.bytes == 0 {
             return Ok(());
         }
         description.check(path)?;
-        let changed = |what: String| {
-            let message = format!("{} has been changed since it was written: {what}", path.display());
-            Err(Report::from(Diagnostic::new("C066", message).help("leave out --resume to begin anew")))
-        };
-        if let Some(header) = rows.header().filter(|_| !self.has_header) {
-            return changed(format!("its header is not {}", header.trim_end()));
+        match rows.header().filter(|_| !self.has_header) {
+            Some(header) => Err(changed(path, &format!("its header is not {}", header.trim_end()))),
+            None => Ok(()),
         }
-        if self.rows > stimuli.count() {
-            return changed(format!("it has {} rows, and there are {} stimuli", self.rows, stimuli.count()));
+    }
+
+    /// An error if the last row has other inputs than its number says.
+    fn check_last(&self, path: &Path, arguments: &SweepArguments, plan: &Plan) -> Result<(), Report> {
+        let all = plan.rows().unwrap_or(u64::MAX);
+        if self.rows > all {
+            return Err(changed(path, &format!("it has {} rows, and there are {all} stimuli", self.rows)));
         }
-        if self.rows > 0 {
-            let mut words = vec![0; stimuli.inputs()];
-            let is_one = stimuli.feed(self.rows - 1)?(&mut words);
-            if !is_one || !self.last.starts_with(rows.beginning(&words).as_bytes()) {
-                return changed(format!("row {} has other inputs", self.rows));
-            }
+        let Some(last) = self.rows.checked_sub(1) else { return Ok(()) };
+        let Some((part, skip)) = plan.from(last).next() else { return Ok(()) };
+        let mut words = vec![0; part.stimuli.inputs()];
+        let is_one = part.stimuli.feed(skip)?(&mut words);
+        let rows = plan.written(part, &part.design().batch(), arguments);
+        if !is_one || !self.last.starts_with(rows.beginning(&words).as_bytes()) {
+            return Err(changed(path, &format!("row {} has other inputs", self.rows)));
         }
         Ok(())
     }
+}
+
+/// `C066`.
+fn changed(path: &Path, what: &str) -> Report {
+    let message = format!("{} has been changed since it was written: {what}", path.display());
+    Diagnostic::new("C066", message).help("leave out --resume to begin anew").into()
 }

@@ -1,8 +1,9 @@
 //! Rows as text: CSV, or JSON lines.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 use std::path::Path;
 
+use crate::accuracy::{Meter, Quantity};
 use crate::base::word::decode;
 use crate::base::{Diagnostic, Port};
 use crate::simulation::{Batch, Row};
@@ -35,8 +36,17 @@ impl Format {
     }
 }
 
-/// The columns of a CSV that are of the run and of no port.
+/// The columns of a CSV that are of the run and of no port; what is measured comes behind them.
 const OF_THE_RUN: [&str; 2] = ["ticks", "stopped_by"];
+
+/// What of a row is measured: its columns, and their numbers.
+#[derive(Clone, Copy)]
+pub struct Measured<'a> {
+    /// The columns.
+    pub quantities: &'a [Quantity],
+    /// What tells the numbers.
+    pub meter: &'a Meter,
+}
 
 /// A column: names of ports are identifiers, so that neither format has to quote or escape anything.
 #[derive(Clone, Debug)]
@@ -57,20 +67,31 @@ impl Column {
 }
 
 /// Writes rows of one batch.
-#[derive(Clone, Debug)]
-pub struct Rows {
+#[derive(Clone)]
+pub struct Rows<'a> {
     format: Format,
+    /// Parameters that the sweep varies, which stand before the inputs.
+    parameters: Vec<(String, i64)>,
+    measured: Option<Measured<'a>>,
     varied: Vec<usize>,
     inputs: Vec<Column>,
     outputs: Vec<Column>,
     pulses: Vec<String>,
 }
 
-impl Rows {
-    /// Rows with the inputs that vary, all outputs, and the pulse counts.
-    pub fn new(format: Format, batch: &Batch<'_>, varied: &[usize]) -> Self {
+impl<'a> Rows<'a> {
+    /// Rows with the parameters and inputs that vary, all outputs, what is measured, and the pulse counts.
+    pub fn new(
+        format: Format,
+        batch: &Batch<'_>,
+        parameters: &[(String, i64)],
+        varied: &[usize],
+        measured: Option<Measured<'a>>,
+    ) -> Self {
         Self {
             format,
+            parameters: parameters.to_vec(),
+            measured,
             varied: varied.to_vec(),
             inputs: varied.iter().map(|&input| Column::of(&batch.inputs()[input])).collect(),
             outputs: batch.outputs().iter().map(Column::of).collect(),
@@ -81,25 +102,44 @@ impl Rows {
     /// The first line of the file; none for JSON lines. No two columns share a name: a port that is called as a column
     /// of the run is told from it by where it stands in a JSON line.
     pub fn header(&self) -> Option<String> {
-        let named = |kind: &str, column: &Column| match OF_THE_RUN.contains(&column.name.as_str()) {
+        let measured: Vec<_> = self.quantities().iter().map(|quantity| quantity.name()).collect();
+        let is_taken = |name: &str| OF_THE_RUN.contains(&name) || measured.contains(&name);
+        let named = |kind: &str, column: &Column| match is_taken(&column.name) {
             true => format!("{kind}.{}", column.name),
             false => column.name.clone(),
         };
         let inputs = self.inputs.iter().map(|column| named("inputs", column));
         let outputs = self.outputs.iter().map(|column| named("outputs", column));
         let pulses = self.pulses.iter().map(|name| format!("pulses.{name}"));
-        let all: Vec<_> = inputs.chain(outputs).chain(OF_THE_RUN.map(str::to_owned)).chain(pulses).collect();
+        let parameters = self.parameters.iter().map(|(name, _)| format!("p:{name}"));
+        let own = OF_THE_RUN.iter().chain(&measured).map(|name| (*name).to_owned());
+        let all: Vec<_> = parameters.chain(inputs).chain(outputs).chain(own).chain(pulses).collect();
         (self.format == Format::Csv).then(|| all.join(",") + "\n")
     }
 
-    /// How the row of a stimulus begins: with its inputs.
+    fn quantities(&self) -> &[Quantity] {
+        self.measured.map_or(&[], |measured| measured.quantities)
+    }
+
+    /// How the row of a stimulus begins: with its parameters and inputs.
     pub fn beginning(&self, inputs: &[u64]) -> String {
         let words: Vec<_> = self.varied.iter().map(|&input| inputs[input]).collect();
         let mut text = String::new();
         match self.format {
-            Format::Csv => numbers(&self.inputs, &words, &mut text),
+            Format::Csv => {
+                for (_, value) in &self.parameters {
+                    let _ = write!(text, "{value},");
+                }
+                numbers(&self.inputs, &words, &mut text);
+            }
             Format::JsonLines => {
-                text.push_str("{\"inputs\":");
+                text.push('{');
+                if !self.parameters.is_empty() {
+                    text.push_str("\"parameters\":");
+                    pairs(self.parameters.iter().map(|(name, value)| (name, value)), &mut text);
+                    text.push(',');
+                }
+                text.push_str("\"inputs\":");
                 object(&self.inputs, &words, &mut text);
                 text.push(',');
             }
@@ -116,15 +156,31 @@ impl Rows {
         line.windows(word.len()).any(|window| window == word)
     }
 
+    /// What is measured of a row, column by column.
+    pub fn measures(&self, row: &Row<'_>) -> Vec<(&'static str, f64)> {
+        let Some(Measured { quantities, meter }) = self.measured else { return Vec::new() };
+        let frame = meter.frame(row);
+        quantities.iter().map(|quantity| (quantity.name(), quantity.of(&frame))).collect()
+    }
+
+    /// The same rows as CSV.
+    pub fn as_csv(&self) -> Self {
+        Self { format: Format::Csv, ..self.clone() }
+    }
+
     /// Appends a row and its line end.
     pub fn write(&self, row: Row<'_>, text: &mut String) {
         text.push_str(&self.beginning(row.inputs));
         let (ticks, stopped_by) = (row.ticks, row.stopped_by);
+        let measures = self.measures(&row);
         // Writing into a string cannot fail.
         match self.format {
             Format::Csv => {
                 numbers(&self.outputs, row.outputs, text);
                 let _ = write!(text, "{ticks},{stopped_by}");
+                for (_, number) in measures {
+                    let _ = write!(text, ",{number}");
+                }
                 for count in row.pulses {
                     let _ = write!(text, ",{count}");
                 }
@@ -132,11 +188,13 @@ impl Rows {
             Format::JsonLines => {
                 let _ = write!(text, "\"ticks\":{ticks},\"stopped_by\":\"{stopped_by}\",\"outputs\":");
                 object(&self.outputs, row.outputs, text);
-                text.push_str(",\"pulses\":{");
-                for (i, (name, count)) in self.pulses.iter().zip(row.pulses).enumerate() {
-                    let _ = write!(text, "{}\"{name}\":{count}", if i > 0 { "," } else { "" });
+                if !measures.is_empty() {
+                    text.push_str(",\"measures\":");
+                    pairs(measures.into_iter(), text);
                 }
-                text.push_str("}}");
+                text.push_str(",\"pulses\":");
+                pairs(self.pulses.iter().zip(row.pulses), text);
+                text.push('}');
             }
         }
         text.push('\n');
@@ -151,9 +209,14 @@ fn numbers(columns: &[Column], words: &[u64], text: &mut String) {
 }
 
 fn object(columns: &[Column], words: &[u64], text: &mut String) {
+    pairs(columns.iter().zip(words).map(|(column, &word)| (&column.name, column.number(word))), text);
+}
+
+/// An object of names and numbers.
+fn pairs(pairs: impl Iterator<Item = (impl Display, impl Display)>, text: &mut String) {
     text.push('{');
-    for (i, (column, &word)) in columns.iter().zip(words).enumerate() {
-        let _ = write!(text, "{}\"{}\":{}", if i > 0 { "," } else { "" }, column.name, column.number(word));
+    for (i, (name, number)) in pairs.enumerate() {
+        let _ = write!(text, "{}\"{name}\":{number}", if i > 0 { "," } else { "" });
     }
     text.push('}');
 }
