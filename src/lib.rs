@@ -65,6 +65,8 @@ pub mod blocks;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod compile;
+#[cfg(feature = "draw")]
+pub mod draw;
 pub mod engine;
 pub mod export;
 pub mod files;
@@ -73,6 +75,8 @@ pub mod host;
 pub mod netlist;
 #[cfg(feature = "pictures")]
 pub mod picture;
+#[cfg(feature = "draw")]
+pub mod plotfile;
 pub mod scenario;
 pub mod simulation;
 pub mod trace;

@@ -7,6 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand};
 
 use super::completions;
+pub use super::draw::DrawArguments;
 pub use super::sweep::SweepArguments;
 use crate::base::word::of_letters;
 use crate::base::{Diagnostic, Report};
@@ -99,6 +100,8 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Draw a plot file by a machine: figures, pictures
+    Draw(DrawArguments),
     /// Run many stimuli of a circuit, one row of results each
     Sweep(SweepArguments),
     /// Write a circuit in a form that other tools read
