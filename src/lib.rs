@@ -67,6 +67,8 @@ pub mod blocks;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod compile;
+#[cfg(feature = "draw")]
+pub mod draw;
 pub mod engine;
 pub mod export;
 pub mod files;
@@ -77,6 +79,8 @@ pub mod netlist;
 pub mod picture;
 #[cfg(feature = "pictures")]
 pub mod plot;
+#[cfg(feature = "draw")]
+pub mod plotfile;
 pub mod scenario;
 pub mod simulation;
 pub mod trace;

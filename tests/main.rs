@@ -12,6 +12,7 @@ mod codes;
 mod converters;
 /// The table of diagnostics.
 mod diagnostics;
+mod draw;
 /// Engines agree with each other and with the meaning of the ops.
 mod engines;
 /// The longest runs of the shipped scenarios.

@@ -227,3 +227,33 @@ fn watched_values_read_together_are_those_read_one_by_one() {
         }
     }
 }
+
+#[test]
+fn a_batch_gives_each_edge_that_it_counts_whatever_engine_runs_it() {
+    let rows = |engine| {
+        let design = Session::open("su1522157/interpolator").expect("shipped").engine(engine);
+        let design = design.elaborate().expect("it is right");
+        let batch = design.batch().with_edges();
+        let minor = batch.input("minor_34").expect("an input").place();
+        let mut minors = 0..=16;
+        let mut rows = Vec::new();
+        let feed = |words: &mut [u64]| minors.next().map(|word| words[minor] = word).is_some();
+        let sink = |row: stepwright::simulation::Row<'_>| {
+            let counts: Vec<_> = (0..row.pulses.len() as u32)
+                .map(|pulse| row.edges.iter().filter(|edge| edge.pulse == pulse).count() as u64)
+                .collect();
+            assert_eq!(counts, row.pulses);
+            assert!(row.edges.is_sorted() && row.edges.iter().all(|edge| u64::from(edge.tick) < row.ticks));
+            rows.push(row.edges.to_vec());
+            std::ops::ControlFlow::Continue(())
+        };
+        batch.run(feed, sink).expect("it runs");
+        rows
+    };
+    let lanes = rows("lanes".parse().expect("an engine"));
+    assert_eq!(lanes.len(), 17);
+    // `busy` rises in the tick after the start.
+    assert!(lanes.iter().all(|edges| edges[0].tick == 1), "{lanes:?}");
+    assert_eq!(lanes, rows(EngineKind::INTERPRETER));
+    assert_eq!(lanes, rows("native".parse().expect("an engine")));
+}

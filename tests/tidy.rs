@@ -16,6 +16,8 @@ const MAY_IMPORT: &[(&str, Option<&[&str]>)] = &[
     ("trace", Some(&["base", "files"])),
     ("golden", Some(&["base"])),
     ("picture", Some(&["base", "files"])),
+    ("plotfile", Some(&["base", "picture"])),
+    ("draw", Some(&["base", "host", "picture", "simulation", "trace"])),
     ("export", Some(&["base", "blocks", "netlist", "scenario"])),
     // The front door puts the rooms together; only the command line stands before it.
     ("simulation", Some(&["base", "blocks", "netlist", "compile", "engine", "files", "scenario", "trace"])),

@@ -38,7 +38,7 @@ impl Span {
 
 /// One error. Codes never change their meaning (`docs/diagnostics.md` lists them); the first letter tells the room
 /// (`N` netlist, `S` scenario, `W` waveform, `C` command line, `X` export, `E` engine, `H` host, `P` picture, `A`
-/// accuracy).
+/// accuracy, `D` drawing, `F` plot file).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Diagnostic {
     /// For example `N007`.

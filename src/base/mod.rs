@@ -11,5 +11,5 @@ pub mod word;
 pub use diagnostic::{Diagnostic, Report, SourceId, Sources, Span};
 pub use graph::{Graph, MemoryWrite, Node, Op, Ram, RamId, Register, RegisterId, Rom, RomId, ValueId};
 pub use memory::MemoryImage;
-pub use signal::{Port, Signal};
+pub use signal::{Edge, Port, Signal};
 pub use stimulus::{Change, Stimulus, StopRule, StoppedBy};

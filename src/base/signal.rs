@@ -39,3 +39,12 @@ impl Signal {
         self.path[1..].join(".")
     }
 }
+
+/// A rising edge on a line of one bit.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Edge {
+    /// The first tick in which the line is high.
+    pub tick: u32,
+    /// Which of the lines that are looked at.
+    pub pulse: u32,
+}

@@ -8,6 +8,7 @@ use clap::{ArgGroup, Args, Parser, Subcommand};
 
 pub use super::accuracy::AccuracyArguments;
 use super::completions;
+pub use super::draw::DrawArguments;
 pub use super::sweep::SweepArguments;
 use crate::base::word::of_letters;
 use crate::base::{Diagnostic, Report};
@@ -100,6 +101,8 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Draw a plot file by a machine: figures, pictures
+    Draw(DrawArguments),
     /// Run many stimuli of a circuit, one row of results each
     Sweep(SweepArguments),
     /// Measure how far an interpolator's paths are from the ideal line, over all segments there are

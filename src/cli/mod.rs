@@ -5,6 +5,7 @@ mod args;
 mod check;
 mod completions;
 mod diff;
+mod draw;
 mod drivers;
 mod export;
 mod interrupt;
@@ -89,6 +90,7 @@ fn command(command: Command) -> Result<Ending, Report> {
         Command::Check { scenarios, bless, engine, json } => check::check(&scenarios, bless, engine, json),
         Command::Diff { a, b, json } => diff::diff(&a, &b, json),
         Command::Accuracy(arguments) => accuracy::accuracy(&arguments),
+        Command::Draw(arguments) => draw::draw_file(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Export { target, verilog } => export::export(&target, &verilog),
         Command::Completions { shell } => {

@@ -6,9 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::run::Input;
 use super::{Design, EngineKind, Outcome, Run};
-use crate::base::{Diagnostic, Port, Report};
+use crate::base::{Diagnostic, Edge, Port, Report};
 use crate::compile::{Observe, compile};
 use crate::engine::batch::{Done, Feed, Row, Sink};
+use crate::trace::Edges;
 
 /// Many stimuli of a design. All share the scenario's changes over time and its stop rule; each has inputs of its own
 /// at tick 0.
@@ -37,6 +38,7 @@ pub struct Batch<'a> {
     #[cfg_attr(not(feature = "lanes"), expect(dead_code, reason = "only the lanes engine runs on several threads"))]
     threads: Option<usize>,
     cancel: Option<&'a AtomicBool>,
+    edges: bool,
 }
 
 impl Design {
@@ -44,7 +46,14 @@ impl Design {
     #[must_use]
     pub fn batch(&self) -> Batch<'_> {
         let program = compile(self.netlist(), &Observe { until: self.until(), pulses: true, ..Observe::OUTPUTS });
-        Batch { design: self, program: Arc::new(program), engine: self.engine(), threads: None, cancel: None }
+        Batch {
+            design: self,
+            program: Arc::new(program),
+            engine: self.engine(),
+            threads: None,
+            cancel: None,
+            edges: false,
+        }
     }
 }
 
@@ -73,6 +82,13 @@ impl<'a> Batch<'a> {
     #[must_use]
     pub fn cancelled_by(self, cancel: &'a AtomicBool) -> Self {
         Self { cancel: Some(cancel), ..self }
+    }
+
+    /// The same batch, whose rows have every rising edge of the one-bit outputs, besides how many there are. Rows take
+    /// more memory so, and fewer are under way.
+    #[must_use]
+    pub fn with_edges(self) -> Self {
+        Self { edges: true, ..self }
     }
 
     /// The inputs: a stimulus has a word for each, in this order.
@@ -112,7 +128,7 @@ impl<'a> Batch<'a> {
     #[cfg(feature = "lanes")]
     fn in_lanes(&self, feed: impl Feed, sink: impl Sink) -> Result<Done, Report> {
         use crate::engine::batch::{Options, run_batch};
-        let mut options = Options { cancel: self.cancel, ..Options::default() };
+        let mut options = Options { cancel: self.cancel, edges: self.edges, ..Options::default() };
         options.threads = self.threads.unwrap_or(options.threads);
         Ok(run_batch(&self.program, self.design.stimulus(), feed, sink, options)?)
     }
@@ -131,13 +147,18 @@ impl<'a> Batch<'a> {
             if !feed(&mut stimulus.initial) {
                 return Ok(Done { complete: true, ..done });
             }
+            let mut edges = Edges::default();
             let mut run = Run::of(Arc::clone(&self.program), stimulus.clone(), self.engine)?;
             if let Some(cancel) = self.cancel {
                 run = run.cancelled_by(cancel);
             }
+            if self.edges {
+                run.add(Box::new(&mut edges), &self.program.counted().collect::<Vec<_>>());
+            }
             let outcome = run.finish()?;
+            drop(run);
             let is_cancelled = self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed));
-            if is_cancelled || give(&mut sink, &mut done, &stimulus.initial, &outcome).is_break() {
+            if is_cancelled || give(&mut sink, &mut done, &stimulus.initial, &outcome, edges.edges()).is_break() {
                 return Ok(done);
             }
         }
@@ -145,11 +166,11 @@ impl<'a> Batch<'a> {
 }
 
 /// Gives the row of a stimulus.
-fn give(sink: &mut impl Sink, done: &mut Done, inputs: &[u64], outcome: &Outcome) -> ControlFlow<()> {
+fn give(sink: &mut impl Sink, done: &mut Done, inputs: &[u64], outcome: &Outcome, edges: &[Edge]) -> ControlFlow<()> {
     let Outcome { ticks, stopped_by, outputs } = outcome;
     let (index, ticks, stopped_by) = (done.rows, *ticks, *stopped_by);
     let pulses: Vec<_> = outputs.iter().filter_map(|output| output.pulses).map(|pulses| pulses.rising).collect();
     let outputs: Vec<_> = outputs.iter().map(|output| output.word).collect();
     *done = Done { rows: done.rows + 1, ticks: done.ticks + ticks, ..*done };
-    sink(Row { index, inputs, ticks, stopped_by, outputs: &outputs, pulses: &pulses })
+    sink(Row { index, inputs, ticks, stopped_by, outputs: &outputs, pulses: &pulses, edges })
 }

@@ -165,7 +165,7 @@ impl<'o> Run<'o> {
         Ok(())
     }
 
-    fn add(&mut self, observer: Box<dyn Observer + 'o>, values: &[ValueId]) {
+    pub(super) fn add(&mut self, observer: Box<dyn Observer + 'o>, values: &[ValueId]) {
         let first = self.values.len();
         self.values.extend_from_slice(values);
         self.engine.watch(&self.values);

@@ -24,6 +24,7 @@
 
 mod ascii;
 mod csv;
+mod edges;
 mod formats;
 mod fst;
 mod gtkw;
@@ -39,6 +40,7 @@ mod wave;
 mod writer;
 
 pub use csv::CsvTable;
+pub use edges::Edges;
 pub use formats::FORMATS;
 pub use fst::FstWriter;
 pub use gtkw::{SaveFile, SaveText};

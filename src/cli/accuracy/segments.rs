@@ -87,7 +87,7 @@ fn measure(meter: &Meter, kept: &mut Checkpoint, arguments: &AccuracyArguments) 
         kept.tally.add(frame, &claim);
         kept.tally.unfinished += u64::from(stopped_by == StoppedBy::Limit);
         kept.ticks += ticks;
-        if kept.tally.segments % BEAT == 0 {
+        if kept.tally.segments.is_multiple_of(BEAT) {
             bar.inc(BEAT);
             if let Some(path) = arguments.checkpoint.as_deref().filter(|_| written.elapsed() > LATE) {
                 failed = kept.write(path).err();

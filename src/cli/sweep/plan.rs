@@ -63,7 +63,7 @@ impl Plan {
     /// The parts from row `skip` on, each with how many of its rows are skipped.
     pub fn from(&self, skip: u64) -> impl Iterator<Item = (&Part, u64)> {
         let each = self.first().stimuli.count();
-        let done = if each == 0 { 0 } else { skip / each };
+        let done = skip.checked_div(each).unwrap_or(0);
         let parts = self.parts.iter().skip(usize::try_from(done).unwrap_or(usize::MAX));
         parts.enumerate().map(move |(i, part)| (part, if i == 0 { skip - done * each } else { 0 }))
     }

@@ -15,6 +15,8 @@ pub(super) struct Job {
     /// The outputs whose pulses are counted, by their planes.
     pub pulses: Vec<u32>,
     pub signals: Vec<Vec<u32>>,
+    /// Whether rows have every edge of the outputs whose pulses are counted.
+    pub keeps_edges: bool,
     pub stop: Option<u32>,
 }
 
@@ -42,6 +44,7 @@ impl Job {
             outputs: outputs.map(planes).collect(),
             pulses: program.counted().map(|bit| compiled.planes(bit)[0]).collect(),
             signals: signals.map(planes).collect(),
+            keeps_edges: false,
             stop: program.stop.map(|stop| compiled.planes(stop)[0]),
             compiled: Arc::new(compiled),
         })

@@ -5,6 +5,8 @@ mod row;
 #[cfg(feature = "lanes")]
 mod counters;
 #[cfg(feature = "lanes")]
+mod edges;
+#[cfg(feature = "lanes")]
 mod job;
 #[cfg(feature = "lanes")]
 mod queue;

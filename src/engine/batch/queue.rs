@@ -6,7 +6,7 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
 use super::job::Job;
 use super::{Done, Feed, Row, Sink, Watch};
-use crate::base::StoppedBy;
+use crate::base::{Edge, StoppedBy};
 
 /// A stimulus on its way to a lane.
 #[derive(Clone, Debug)]
@@ -18,11 +18,12 @@ pub(super) struct Stimuli {
 }
 
 /// What a lane found, for [`Queue::exchange`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Found {
     pub(super) index: u64,
     pub(super) ticks: u64,
     pub(super) stopped_by: StoppedBy,
+    pub(super) edges: Vec<Edge>,
 }
 
 /// Results that wait to be given back.
@@ -69,7 +70,8 @@ struct Inner<F, S> {
 
 impl<'a, F: Feed, S: Sink> Queue<'a, F, S> {
     pub(super) fn new(job: &Job, feed: F, sink: S, watch: Option<Watch<'a>>, threads: usize) -> Self {
-        let window = 16 * threads * job.compiled.lanes();
+        // Edges take much more room than words.
+        let window = if job.keeps_edges { 2 } else { 16 } * threads * job.compiled.lanes();
         let inner = Inner {
             feed,
             sink,
@@ -177,11 +179,12 @@ impl<'a, F: Feed, S: Sink> Queue<'a, F, S> {
         {
             let words = &inner.results[slot * self.result_words..][..self.result_words];
             let (outputs, pulses) = words.split_at(self.output_words);
-            let Found { index, ticks, stopped_by } = found;
+            let Found { index, ticks, stopped_by, edges } = found;
             let inputs = &inner.inputs[slot * self.input_words..][..self.input_words];
             inner.done.rows += 1;
             inner.done.ticks += ticks;
-            if let ControlFlow::Break(()) = (inner.sink)(Row { index, inputs, ticks, stopped_by, outputs, pulses }) {
+            let row = Row { index, inputs, ticks, stopped_by, outputs, pulses, edges: &edges };
+            if let ControlFlow::Break(()) = (inner.sink)(row) {
                 self.is_broken_off.store(true, Ordering::Relaxed);
             }
         }

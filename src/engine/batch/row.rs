@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::base::StoppedBy;
+use crate::base::{Edge, StoppedBy};
 
 /// What came of one stimulus.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -19,6 +19,8 @@ pub struct Row<'a> {
     pub outputs: &'a [u64],
     /// For each output whose pulses the program counts, its rising edges, the last tick included.
     pub pulses: &'a [u64],
+    /// Those edges one by one, tick by tick, where the batch was asked for them; else none.
+    pub edges: &'a [Edge],
 }
 
 /// Draws stimuli: changes the words of the inputs at tick 0, which are [`crate::base::Stimulus::initial`] at first, and returns

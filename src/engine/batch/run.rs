@@ -33,6 +33,8 @@ pub struct Options<'a> {
     pub path: Path,
     /// Breaks the batch off when it becomes true.
     pub cancel: Option<&'a AtomicBool>,
+    /// Whether rows have every edge, besides how many there are.
+    pub edges: bool,
     /// A stimulus to watch.
     pub watch: Option<Watch<'a>>,
 }
@@ -41,7 +43,7 @@ impl Default for Options<'_> {
     /// All cores, the best path.
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { threads, path: Path::best(), cancel: None, watch: None }
+        Self { threads, path: Path::best(), cancel: None, edges: false, watch: None }
     }
 }
 
@@ -58,6 +60,7 @@ pub fn run_batch(
     options: Options<'_>,
 ) -> Result<Done, Diagnostic> {
     let job = Job::new(program, stimulus, options.watch.is_some(), options.path)?;
+    let job = Job { keeps_edges: options.edges, ..job };
     let threads = options.threads.max(1);
     let queue = Queue::new(&job, feed, sink, options.watch, threads);
     let work = || Worker::new(&job, &queue, options.cancel).run();

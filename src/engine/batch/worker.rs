@@ -8,6 +8,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::counters::{EdgeCounters, MOST_WORDS};
+use super::edges::Edges;
 use super::job::Job;
 use super::queue::{Answer, Found, Queue, Results, Stimuli};
 use super::{Feed, Sink};
@@ -42,6 +43,8 @@ pub(super) struct Worker<'a, 'w, F, S> {
     is_over: bool,
     results: Results,
     counters: Vec<EdgeCounters>,
+    /// The edges themselves, where they are kept.
+    edges: Option<Edges>,
     /// A slow mean of the lengths of runs, times 64.
     usual_ticks: u64,
 }
@@ -125,6 +128,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
             is_over: false,
             results: Results::default(),
             counters: counted.collect(),
+            edges: job.keeps_edges.then(|| Edges::new(lanes, job.pulses.len())),
             usual_ticks: 64 * SHARE_LOST,
         }
     }
@@ -175,6 +179,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
     fn begin(&mut self, mask: Vec<u64>) {
         self.machine.reset(&mask);
         self.counters.iter_mut().for_each(|counters| counters.clear(&mask));
+        self.edges.iter_mut().for_each(|edges| edges.clear(&mask));
         for (at, word) in mask.iter().enumerate() {
             self.active[at] |= word;
             self.judged[at] &= !word;
@@ -256,6 +261,7 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
         let end = self.now + ticks as u64;
         let has_deadline = self.deadline < end;
         for tick in 0..ticks {
+            self.keep_edges(tick);
             if let Some(stop) = self.job.stop {
                 self.finish_stopped(tick, stop);
             }
@@ -270,6 +276,15 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
         }
         if self.results.found.len() >= CHUNK {
             let _ = self.queue.exchange(&mut self.results, 0, false);
+        }
+    }
+
+    /// Keeps the edges of a tick of the block, in lanes that have not stopped before it.
+    fn keep_edges(&mut self, tick: usize) {
+        let Some(edges) = &mut self.edges else { return };
+        let (history, at) = (self.machine.history(), self.now + tick as u64);
+        for (pulse, &plane) in self.job.pulses.iter().enumerate() {
+            edges.look(pulse, history.plane(tick, plane), &self.active, |lane| at - self.lanes[lane].start);
         }
     }
 
@@ -306,7 +321,8 @@ impl<'a, 'w, F: Feed, S: Sink> Worker<'a, 'w, F, S> {
             let block = (0..=tick).map(|tick| history.bit(tick, plane, lane));
             words.push(counters.count(lane, block));
         }
-        self.results.found.push(Found { index, ticks, stopped_by });
+        let edges = self.edges.as_mut().map(|edges| edges.take(lane)).unwrap_or_default();
+        self.results.found.push(Found { index, ticks, stopped_by, edges });
         clear(&mut self.active, lane);
         self.usual_ticks = (self.usual_ticks - self.usual_ticks / 64).saturating_add(ticks);
     }
