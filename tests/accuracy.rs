@@ -70,7 +70,8 @@ fn frames(meter: &Meter, max: u64, skip: u64) -> Vec<Frame> {
 
 #[test]
 fn the_meters_say_of_every_segment_up_to_40_what_the_equations_make_of_it() {
-    let machines: [(&str, fn(u64, u64) -> Vec<Quarters>); 2] =
+    type Steps = fn(u64, u64) -> Vec<Quarters>;
+    let machines: [(&str, Steps); 2] =
         [("su1522157/interpolator", of_the_device), ("su1522157/prototype", of_the_prototype)];
     for (circuit, steps) in machines {
         let seen = frames(&meter(circuit, &[]), 40, 1);

@@ -18,7 +18,7 @@
 // - Frames follow each other from where the last one ended, which is up to a quarter of a step off its end point on either
 //   axis; nothing here carries that residue over.
 // - The counters wrap round at 2^(WIDTH+5) whole steps, either way.
-(* WIDTH_min = 1, WIDTH_max = 48, CLOCK_PERIOD_min = 8, CLOCK_PERIOD_max = 65536,
+(* WIDTH_min = 1, WIDTH_max = 24, CLOCK_PERIOD_min = 8, CLOCK_PERIOD_max = 65536,
    TAP_SPACING_min = 1, TAP_SPACING_max = 64, DELAY_13_min = 1, DELAY_13_max = 1024,
    DELAY_22_min = 1, DELAY_22_max = 1024, MINUS_ZERO_min = 0, MINUS_ZERO_max = 1 *)
 module plotter #(
