@@ -257,3 +257,41 @@ fn a_batch_gives_each_edge_that_it_counts_whatever_engine_runs_it() {
     assert_eq!(lanes, rows(EngineKind::INTERPRETER));
     assert_eq!(lanes, rows("native".parse().expect("an engine")));
 }
+
+/// Memories in a row, each addressed by the word of the one before: as many lanes as a machine has would need 600 MB.
+fn a_row_of_memories() -> String {
+    let memories: String = (1..=300)
+        .map(|i| {
+            format!(
+                "wire [7:0] w{i}; presettable_memory #(.ADDRESS_WIDTH(12)) memory_{i} (.clk(clk), \
+                 .address({{4'd0, w{}}}), .write(w), .write_address(12'd7), .write_word(8'd9), .word(w{i}));\n",
+                i - 1
+            )
+        })
+        .collect();
+    format!(
+        "module row (input wire clk, input wire w, input wire [7:0] a, output wire [7:0] q);\n\
+         wire [7:0] w0 = a;\n{memories}assign q = w300;\nendmodule\n"
+    )
+}
+
+#[test]
+fn a_batch_of_what_is_too_large_for_lanes_runs_one_stimulus_after_another() {
+    let text = a_row_of_memories();
+    let rows = |engine| {
+        let design = Circuit::text("row.v", &text).session().ticks(3).engine(engine).elaborate().expect("it is right");
+        let (mut stimuli, mut rows) = (0..3, Vec::new());
+        let feed = |words: &mut [u64]| stimuli.next().map(|word| words[1] = word).is_some();
+        let done = design.batch().run(feed, |row| {
+            rows.push(row.outputs.to_vec());
+            std::ops::ControlFlow::Continue(())
+        });
+        done.map(|_| rows)
+    };
+    let refused = rows("lanes".parse().expect("an engine")).expect_err("it is too large");
+    assert_eq!(refused.diagnostics[0].code, "E005");
+    let auto = rows(EngineKind::AUTO).expect("it runs");
+    assert_eq!(auto, rows(EngineKind::INTERPRETER).expect("it runs"));
+    // Both ends of the trapezoid are delays of 120 ticks, and so is all behind its 82 words: such a word leads to itself.
+    assert_eq!(auto[0], [120]);
+}

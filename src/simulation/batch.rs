@@ -121,8 +121,16 @@ impl<'a> Batch<'a> {
     ///
     /// # Errors
     /// When the threads cannot be started or there is no such engine here.
-    pub fn run(&self, feed: impl Feed, sink: impl Sink) -> Result<Done, Report> {
-        if self.engine.runs_many() { self.in_lanes(feed, sink) } else { self.one_by_one(feed, sink) }
+    pub fn run(&self, mut feed: impl Feed, mut sink: impl Sink) -> Result<Done, Report> {
+        if !self.engine.runs_many() {
+            return self.one_by_one(feed, sink);
+        }
+        let is_too_large = |report: &Report| report.diagnostics.iter().any(|one| one.code == "E005");
+        match self.in_lanes(&mut feed, &mut sink) {
+            // No stimulus has been drawn by then.
+            Err(report) if self.engine == EngineKind::AUTO && is_too_large(&report) => self.one_by_one(feed, sink),
+            done => done,
+        }
     }
 
     #[cfg(feature = "lanes")]
