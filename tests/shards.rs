@@ -67,6 +67,18 @@ fn parts_in_any_order_are_joined_into_the_file_of_the_whole_sweep() {
 }
 
 #[test]
+fn the_commands_of_the_page_write_the_file_of_the_whole_sweep() {
+    let page = include_str!("../docs/shards.md");
+    let commands = page.split("```sh\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a block");
+    let folder = folder();
+    for command in commands.lines() {
+        folder.done(&command.split(' ').skip(1).collect::<Vec<_>>());
+    }
+    folder.done(&["sweep", "us3809868/fig14_scaling", "--over", "j=0..=99", "--out", "whole.csv"]);
+    assert_eq!(folder.read("all.csv"), folder.read("whole.csv"));
+}
+
+#[test]
 fn rows_of_a_csv_file_are_sharded_like_ranges() {
     let folder = folder();
     folder.write("in.csv", "major_32,minor_34\n9,1\n9,2\n10,1\n10,2\n11,1\n");
@@ -194,7 +206,9 @@ fn scheduled(shard: &str, variables: &[(&str, &str)]) -> String {
     let folder = folder();
     let mut command = folder.command(&with(&FRAMES, &["--shard", shard, "--out", "out.csv"]));
     let names = ["ID", "COUNT", "MIN", "MAX"].map(|name| format!("SLURM_ARRAY_TASK_{name}"));
-    names.iter().for_each(|name| drop(command.env_remove(name)));
+    for name in names {
+        command.env_remove(name);
+    }
     command.env_remove("JOB_COMPLETION_INDEX").env_remove("PARALLEL_SEQ").envs(variables.iter().copied());
     let output = command.output().expect("it runs");
     if !output.status.success() {
