@@ -39,6 +39,8 @@ mod outside;
 /// Pages that say what the code does.
 mod pages;
 mod ranges;
+/// Sweeps in shards.
+mod shards;
 mod simulation;
 mod specialised;
 /// The linear interpolator of SU 1522157 and its multiplexer.

@@ -9,7 +9,7 @@ use clap::{ArgGroup, Args, Parser, Subcommand};
 pub use super::accuracy::AccuracyArguments;
 use super::completions;
 pub use super::draw::DrawArguments;
-pub use super::sweep::SweepArguments;
+pub use super::sweep::{MergeArguments, SweepArguments};
 use crate::base::word::of_letters;
 use crate::base::{Diagnostic, Report};
 use crate::scenario::Number;
@@ -105,6 +105,8 @@ pub enum Command {
     Draw(DrawArguments),
     /// Run many stimuli of a circuit, one row of results each
     Sweep(SweepArguments),
+    /// Join the parts of a sweep that ran in shards
+    Merge(MergeArguments),
     /// Measure how far an interpolator's paths are from the ideal line, over all segments there are
     Accuracy(AccuracyArguments),
     /// Write a circuit in a form that other tools read

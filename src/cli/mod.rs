@@ -92,6 +92,7 @@ fn command(command: Command) -> Result<Ending, Report> {
         Command::Accuracy(arguments) => accuracy::accuracy(&arguments),
         Command::Draw(arguments) => draw::draw_file(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Merge(arguments) => sweep::merge(&arguments),
         Command::Export { target, verilog } => export::export(&target, &verilog),
         Command::Completions { shell } => {
             print(&completions::script(shell))?;

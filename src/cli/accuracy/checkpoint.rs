@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::super::sweep::{differences, hash_of};
+use super::super::sweep::{RESUMED, differences, hash_of};
 use crate::accuracy::{Frame, Meter, Slope, Tally};
 use crate::base::{Diagnostic, Report};
 use crate::files;
@@ -47,7 +47,7 @@ impl Checkpoint {
         let none = || Diagnostic::new("C066", format!("{} is no checkpoint", path.display())).help(help);
         let there: Value = serde_json::from_str(&text).map_err(|_| none())?;
         let mut different = Vec::new();
-        differences("", &there["of"], &self.of, &mut different);
+        differences("", &there["of"], &self.of, RESUMED, &mut different);
         if !different.is_empty() {
             let wrong = Diagnostic::new("C066", format!("{} is of another measurement", path.display())).help(help);
             return Err(different.into_iter().fold(wrong, Diagnostic::help).into());

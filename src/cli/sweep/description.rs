@@ -10,7 +10,8 @@ use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
 use super::SweepArguments;
-use super::plan::Part;
+use super::plan::Plan;
+use super::shard::Shard;
 use crate::base::word::decode;
 use crate::base::{Diagnostic, Report, StopRule};
 use crate::files;
@@ -19,6 +20,11 @@ use crate::simulation::Design;
 
 /// The number of the form of descriptions and rows.
 const FORMAT: u32 = 2;
+/// Whose the values are that differ when a file is gone on with.
+pub(in crate::cli) const RESUMED: [&str; 2] = ["in the file", "now"];
+const RESUME: &str = "resume with the command that began it, or leave out --resume";
+/// The key that only the description of a shard has.
+const SHARD: &str = "shard";
 
 /// What makes the rows of a sweep what they are, as JSON.
 #[derive(PartialEq, Debug)]
@@ -26,8 +32,10 @@ pub struct Description(Value);
 
 impl Description {
     /// That of a sweep: the circuit by the hash of all its texts, its parameters, the inputs that are held and those
-    /// that change over time, when a run stops, the stimuli, and what varies of the parameters and is measured.
-    pub fn new(arguments: &SweepArguments, part: &Part) -> Self {
+    /// that change over time, when a run stops, the stimuli, and what varies of the parameters and is measured; of a
+    /// shard also which it is.
+    pub fn new(arguments: &SweepArguments, plan: &Plan) -> Self {
+        let part = plan.first();
         let (design, stimuli) = (part.design(), &part.stimuli);
         let (netlist, stimulus) = (design.netlist(), design.stimulus());
         let number = |input: usize, word: u64| {
@@ -43,7 +51,7 @@ impl Description {
         });
         let parameters: Map<_, _> = netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
         let varied = arguments.over.iter().filter(|over| over.name.starts_with("p:")).map(ToString::to_string);
-        Self(json!({
+        let mut description = json!({
             "format": FORMAT,
             "stepwright": env!("CARGO_PKG_VERSION"),
             "circuit": { "module": netlist.scopes[0].module.to_string(), "sha256": hash_of(netlist) },
@@ -54,7 +62,41 @@ impl Description {
             "stimuli": stimuli.describe(),
             "over_parameters": varied.collect::<Vec<_>>(),
             "measure": arguments.measure.iter().map(|quantity| quantity.name()).collect::<Vec<_>>(),
-        }))
+        });
+        if let Some(Shard { index, of }) = plan.shard() {
+            description[SHARD] = json!({ "index": index, "of": of, "rows_of_all": plan.all() });
+        }
+        Self(description)
+    }
+
+    /// That of the rows in `out`.
+    ///
+    /// # Errors
+    /// `C066` nothing tells.
+    pub fn of(out: &Path) -> Result<Self, Diagnostic> {
+        let path = Self::path(out);
+        let message = |why: String| format!("nothing tells what sweep {} is of: {why}", out.display());
+        let untold = |why: String| Diagnostic::new("C066", message(why));
+        let read = files::read(&path).map_err(|report| {
+            untold(report.diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>().join("; "))
+        })?;
+        let text = serde_json::from_str(&read.text).map_err(|error| untold(format!("{}: {error}", path.display())))?;
+        Ok(Self(text))
+    }
+
+    /// That of the sweep that the rows are a shard of; which one, and of how many rows. `None` if they are none.
+    pub fn shard(mut self) -> Option<(Self, Shard, u64)> {
+        let shard = self.0.as_object_mut()?.remove(SHARD)?;
+        let number = |name: &str| shard.get(name)?.as_u64();
+        let (index, of, all) = (number("index")?, number("of")?, number("rows_of_all")?);
+        Some((self, Shard::new(index, of)?, all))
+    }
+
+    /// A line for each value in which this one differs from another; `said` tells whose the values are, the other's first.
+    pub fn differences(&self, there: &Self, said: [&str; 2]) -> Vec<String> {
+        let mut different = Vec::new();
+        differences("", &there.0, &self.0, said, &mut different);
+        different
     }
 
     /// Where that of the rows in `out` is.
@@ -72,28 +114,31 @@ impl Description {
         files::write_bytes(&Self::path(out), format!("{:#}\n", self.0).as_bytes())
     }
 
+    /// Checks that no other shard of this sweep is in `out`.
+    ///
+    /// # Errors
+    /// `C082`.
+    pub fn check_shard(&self, out: &Path) -> Result<(), Diagnostic> {
+        let split = || Some((Self(self.0.clone()).shard()?, Self::of(out).ok()?.shard()?));
+        match split() {
+            Some(((sweep, here, _), (other, there, _))) if sweep == other && here != there => {
+                let message = format!("{} holds shard {}/{} of this sweep", out.display(), there.index, there.of);
+                Err(Diagnostic::new("C082", message).help("give each shard a file of its own, or remove that one"))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Checks that the rows in `out` are of this sweep.
     ///
     /// # Errors
     /// `C066` they are not, with what differs, or nothing tells.
     pub fn check(&self, out: &Path) -> Result<(), Report> {
-        let path = Self::path(out);
-        let wrong = |message: String| {
-            Diagnostic::new("C066", message).help("resume with the command that began it, or leave out --resume")
-        };
-        let read = files::read(&path).map_err(|report| {
-            let why = report.diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>().join("; ");
-            wrong(format!("nothing tells what sweep {} is of: {why}", out.display()))
-        })?;
-        let there: Value = serde_json::from_str(&read.text).map_err(|error| {
-            wrong(format!("nothing tells what sweep {} is of: {}: {error}", out.display(), path.display()))
-        })?;
-        let mut different = Vec::new();
-        differences("", &there, &self.0, &mut different);
+        let different = self.differences(&Self::of(out).map_err(|diagnostic| diagnostic.help(RESUME))?, RESUMED);
         if different.is_empty() {
             return Ok(());
         }
-        let diagnostic = wrong(format!("{} is of another sweep", out.display()));
+        let diagnostic = Diagnostic::new("C066", format!("{} is of another sweep", out.display())).help(RESUME);
         Err(different.into_iter().fold(diagnostic, Diagnostic::help).into())
     }
 }
@@ -128,17 +173,17 @@ fn stop(design: &Design) -> String {
 }
 
 /// A line for each value that differs, by its place.
-pub(in crate::cli) fn differences(place: &str, there: &Value, here: &Value, lines: &mut Vec<String>) {
+pub(in crate::cli) fn differences(place: &str, there: &Value, here: &Value, said: [&str; 2], lines: &mut Vec<String>) {
     match (there, here) {
         (Value::Object(a), Value::Object(b)) => {
             let names: std::collections::BTreeSet<_> = a.keys().chain(b.keys()).collect();
             for name in names {
                 let place = if place.is_empty() { name.clone() } else { format!("{place}.{name}") };
                 let of = |object: &Map<_, _>| object.get(name).cloned().unwrap_or(Value::Null);
-                differences(&place, &of(a), &of(b), lines);
+                differences(&place, &of(a), &of(b), said, lines);
             }
         }
         _ if there == here => {}
-        _ => lines.push(format!("{place}: {there} in the file, {here} now")),
+        _ => lines.push(format!("{place}: {there} {}, {here} {}", said[0], said[1])),
     }
 }

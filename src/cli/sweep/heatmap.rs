@@ -28,7 +28,7 @@ impl Heat {
             let message = format!("a heat map is of two inputs or parameters, and {} vary", arguments.over.len());
             return Err(Diagnostic::new("C008", message).help("give just two --over").into());
         }
-        if plan.rows().is_none_or(|rows| rows > MOST_CELLS) {
+        if plan.all() > MOST_CELLS {
             let message = format!("a heat map has at most {MOST_CELLS} cells");
             return Err(Diagnostic::new("C071", message).help("narrow a range, or take every s-th value of it").into());
         }

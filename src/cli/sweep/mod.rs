@@ -3,13 +3,16 @@
 mod csv_file;
 mod description;
 mod heatmap;
+mod lines;
+mod merge;
 mod plan;
 mod ranges;
 mod resume;
 mod rows;
+mod shard;
 mod stimuli;
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -22,8 +25,9 @@ use crate::accuracy::Quantity;
 use crate::base::{Diagnostic, Report, StoppedBy};
 use crate::simulation::Design;
 use description::Description;
-pub(super) use description::{differences, hash_of};
+pub(super) use description::{RESUMED, differences, hash_of};
 use heatmap::Heat;
+pub use merge::{MergeArguments, merge};
 pub(super) use plan::sets;
 use plan::{Part, Plan};
 pub(super) use ranges::Over;
@@ -36,6 +40,7 @@ pub use stimuli::Stimuli;
     stepwright sweep su1522157/interpolator --over major_32=0..=255 --over minor_34=0..=255 --out frames.csv\n  \
     stepwright sweep su1522157/interpolator -s minor_34=3 --over major_32=3,5,8..=64:8\n  \
     stepwright sweep su1522157/interpolator --from frames.csv --out results.jsonl\n  \
+    stepwright sweep su1522157/interpolator --over major_32=0..=4095 --shard 3/8 --out part3.csv\n  \
     stepwright sweep su1522157/interpolator --over p:DELAY_13=1..=4 --over minor_34=0..=16 --measure deviation,steps\n\n\
     A range a..b ends before b, a..=b with it; :s takes every s-th. With several --over the last varies fastest,\n\
     and parameters (p:NAME) slower than inputs.\n\
@@ -66,6 +71,9 @@ pub struct SweepArguments {
     /// The column that the heat map shows; the first that is measured without it
     #[arg(long, value_name = "NAME", requires = "heatmap")]
     pub column: Option<String>,
+    /// Run one part only: part I of N, from 0 on; with auto/N or auto the one that Slurm, Kubernetes or GNU parallel says
+    #[arg(long, value_name = "I/N", requires = "out", conflicts_with = "heatmap")]
+    pub shard: Option<String>,
     /// Go on with a file that an interrupted sweep left
     #[arg(long, requires = "out")]
     pub resume: bool,
@@ -74,9 +82,8 @@ pub struct SweepArguments {
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     let format = Format::of(arguments.out.as_deref())?;
     let plan = Plan::new(arguments, format)?;
-    let Some(all) = plan.rows() else {
-        return Err(Diagnostic::new("C064", "the sweep has more than 2^64 stimuli").help("narrow a range").into());
-    };
+    let to_run = plan.rows();
+    let all = to_run.end - to_run.start;
     let out = arguments.out.as_deref().unwrap_or(Path::new("-"));
     let beside = Description::path(out);
     let reads = plan.first().design().files().iter().chain(&arguments.from).map(PathBuf::as_path);
@@ -85,8 +92,8 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     let (mut output, left) = resume::open(out, arguments, &plan)?;
     let bar = progress(all, left.rows, "rows");
     let mut tally = Tally { rows: left.rows, at_limit: left.at_limit, broken: Vec::new() };
-    for (part, skip) in plan.from(left.rows) {
-        let is_whole = tally.run(&plan, part, skip, arguments, map.as_mut(), |text| {
+    for (part, numbers) in plan.within(to_run.start + left.rows..to_run.end) {
+        let is_whole = tally.run(&plan, part, numbers, arguments, map.as_mut(), |text| {
             bar.inc(1);
             output.write(text)
         })?;
@@ -113,11 +120,16 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<Ending, Report> {
     if let Some((path, map)) = arguments.heatmap.as_ref().zip(map) {
         map.drawn().svg().write(Some(path), None)?;
     }
-    if at_limit > 0 {
-        say(&format!("{at_limit} of {rows} rows reached the limit before the net to wait for came"));
-        return Ok(Ending::Different);
+    Ok(ending(at_limit, rows))
+}
+
+/// How a sweep ends all of whose rows are there.
+fn ending(at_limit: u64, rows: u64) -> Ending {
+    if at_limit == 0 {
+        return Ending::Done;
     }
-    Ok(Ending::Done)
+    say(&format!("{at_limit} of {rows} rows reached the limit before the net to wait for came"));
+    Ending::Different
 }
 
 /// What is told of the rows when all are done.
@@ -129,12 +141,12 @@ struct Tally {
 }
 
 impl Tally {
-    /// Runs a part from row `skip` on, and gives its lines to `sink`; `false` when it was broken off.
+    /// Runs some stimuli of a part, and gives their lines to `sink`; `false` when it was broken off.
     fn run(
         &mut self,
         plan: &Plan,
         part: &Part,
-        skip: u64,
+        numbers: Range<u64>,
         arguments: &SweepArguments,
         mut map: Option<&mut Heat>,
         mut sink: impl FnMut(&str) -> ControlFlow<()> + Send,
@@ -144,7 +156,7 @@ impl Tally {
         let rows = plan.written(part, &batch, arguments);
         self.broken.resize(design.scenario().require.len(), 0);
         let mut text = String::new();
-        let done = batch.run(part.stimuli.feed(skip)?, |row| {
+        let done = batch.run(part.stimuli.feed(numbers.clone())?, |row| {
             self.at_limit += u64::from(row.stopped_by == StoppedBy::Limit);
             design.broken_requirements(row.inputs).iter().for_each(|requirement| self.broken[requirement.place] += 1);
             if let Some(map) = map.as_mut() {
@@ -155,7 +167,7 @@ impl Tally {
             sink(&text)
         })?;
         self.rows += done.rows;
-        Ok(skip + done.rows == part.stimuli.count())
+        Ok(numbers.start + done.rows == numbers.end)
     }
 }
 

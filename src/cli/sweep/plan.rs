@@ -1,9 +1,13 @@
-//! What a sweep runs: one part for each set of the parameters that it varies, each with all stimuli.
+//! What a sweep runs: one part for each set of the parameters that it varies, each with all stimuli; of these the rows
+//! of its shard.
+
+use std::ops::Range;
 
 use super::SweepArguments;
 use super::ranges::Over;
 use super::rows::{Format, Measured, Rows};
 use super::set_and_swept;
+use super::shard::Shard;
 use super::stimuli::Stimuli;
 use crate::accuracy::Meter;
 use crate::base::{Diagnostic, Report};
@@ -17,6 +21,8 @@ const MOST_PARTS: u64 = 1 << 10;
 pub struct Plan {
     parts: Vec<Part>,
     format: Format,
+    all: u64,
+    shard: Option<Shard>,
 }
 
 /// One circuit with its parameters, and the stimuli that it gets.
@@ -38,16 +44,22 @@ impl Plan {
     /// The parts of what was typed, all of them checked.
     ///
     /// # Errors
-    /// `C062` a parameter given twice, `C063` a value that is none for a parameter, `C069` too many circuits, and all that is
-    /// wrong with a circuit or its stimuli.
+    /// `C062` a parameter given twice, `C063` a value that is none for a parameter, `C064` too many rows, `C069` too many
+    /// circuits, `C080` and `C081` no shard, and all that is wrong with a circuit or its stimuli.
     pub fn new(arguments: &SweepArguments, format: Format) -> Result<Self, Report> {
+        let shard = arguments.shard.as_deref().map(|text| Shard::parse(text, |name| std::env::var(name).ok()));
+        let shard = shard.transpose()?;
         let (parameters, inputs): (Vec<_>, Vec<_>) =
             arguments.over.iter().cloned().partition(|over| over.name.starts_with("p:"));
         let session = arguments.target.session()?;
         let session = if arguments.measure.is_empty() { session } else { session.measured()? };
         let parts = sets(&parameters, &arguments.target.param)?.into_iter();
         let parts = parts.map(|parameters| Part::new(session.clone(), parameters, &inputs, arguments));
-        Ok(Self { parts: parts.collect::<Result<_, _>>()?, format })
+        let parts = parts.collect::<Result<Vec<_>, _>>()?;
+        let Some(all) = parts[0].stimuli.count().checked_mul(parts.len() as u64) else {
+            return Err(Diagnostic::new("C064", "the sweep has more than 2^64 stimuli").help("narrow a range").into());
+        };
+        Ok(Self { parts, format, all, shard })
     }
 
     /// The first part: there always is one.
@@ -55,17 +67,30 @@ impl Plan {
         &self.parts[0]
     }
 
-    /// How many rows there are; `None` beyond 2^64.
-    pub fn rows(&self) -> Option<u64> {
-        self.first().stimuli.count().checked_mul(self.parts.len() as u64)
+    /// How many rows all shards have.
+    pub fn all(&self) -> u64 {
+        self.all
     }
 
-    /// The parts from row `skip` on, each with how many of its rows are skipped.
-    pub fn from(&self, skip: u64) -> impl Iterator<Item = (&Part, u64)> {
+    /// The shard that is asked for.
+    pub fn shard(&self) -> Option<Shard> {
+        self.shard
+    }
+
+    /// The rows to run: those of the shard, or all.
+    pub fn rows(&self) -> Range<u64> {
+        self.shard.map_or(0..self.all, |shard| shard.rows(self.all))
+    }
+
+    /// The parts that some rows are of, each with its own numbers of them.
+    pub fn within(&self, rows: Range<u64>) -> impl Iterator<Item = (&Part, Range<u64>)> {
         let each = self.first().stimuli.count();
-        let done = skip.checked_div(each).unwrap_or(0);
-        let parts = self.parts.iter().skip(usize::try_from(done).unwrap_or(usize::MAX));
-        parts.enumerate().map(move |(i, part)| (part, if i == 0 { skip - done * each } else { 0 }))
+        let own = move |(i, part)| {
+            let first = i as u64 * each;
+            let own = rows.start.max(first)..rows.end.min(first + each);
+            (own.start < own.end).then(|| (part, own.start - first..own.end - first))
+        };
+        self.parts.iter().enumerate().filter_map(own)
     }
 
     /// How the rows of a part are written.

@@ -34,6 +34,15 @@ impl Format {
             }
         }
     }
+
+    /// Whether a line that was written tells of a run that reached its limit. All else in it are numbers and names.
+    pub fn is_at_limit(self, line: &[u8]) -> bool {
+        let word: &[u8] = match self {
+            Format::Csv => b",limit",
+            Format::JsonLines => b"\"stopped_by\":\"limit\"",
+        };
+        line.windows(word.len()).any(|window| window == word)
+    }
 }
 
 /// The columns of a CSV that are of the run and of no port; what is measured comes behind them.
@@ -147,20 +156,16 @@ impl<'a> Rows<'a> {
         text
     }
 
-    /// Whether a line that was written tells of a run that reached its limit. All else in it are numbers and names.
-    pub fn is_at_limit(&self, line: &[u8]) -> bool {
-        let word: &[u8] = match self.format {
-            Format::Csv => b",limit",
-            Format::JsonLines => b"\"stopped_by\":\"limit\"",
-        };
-        line.windows(word.len()).any(|window| window == word)
-    }
-
     /// What is measured of a row, column by column.
     pub fn measures(&self, row: &Row<'_>) -> Vec<(&'static str, f64)> {
         let Some(Measured { quantities, meter }) = self.measured else { return Vec::new() };
         let frame = meter.frame(row);
         quantities.iter().map(|quantity| (quantity.name(), quantity.of(&frame))).collect()
+    }
+
+    /// How they are written.
+    pub fn format(&self) -> Format {
+        self.format
     }
 
     /// The same rows as CSV.

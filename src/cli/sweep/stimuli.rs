@@ -1,5 +1,6 @@
 //! The stimuli of a sweep: a cross product of ranges, or the rows of a CSV file, checked before anything runs.
 
+use std::ops::Range;
 use std::path::Path;
 
 use serde_json::{Value, json};
@@ -165,17 +166,18 @@ impl Stimuli {
         &self.varied
     }
 
-    /// The stimuli from number `skip` on.
+    /// The stimuli of these numbers.
     ///
     /// # Errors
     /// When the CSV file has gone.
-    pub fn feed(&self, skip: u64) -> Result<Feed, Report> {
+    pub fn feed(&self, rows: Range<u64>) -> Result<Feed, Report> {
         let (initial, varied) = (self.initial.clone(), self.varied.clone());
         let mut next: NextRow = match &self.source {
-            Source::Ranges(axes) => self.cross_product(axes, skip),
+            Source::Ranges(axes) => Self::cross_product(axes, rows),
             Source::Csv { file, ports } => {
-                let mut records = file.reader()?.into_records().skip(usize::try_from(skip).unwrap_or(usize::MAX));
-                let (ports, mut left) = (ports.clone(), self.count - skip);
+                let skipped = usize::try_from(rows.start).unwrap_or(usize::MAX);
+                let mut records = file.reader()?.into_records().skip(skipped);
+                let (ports, mut left) = (ports.clone(), rows.end - rows.start);
                 Box::new(move |set| {
                     // The file was checked as a whole; should it have changed since, the sweep ends here.
                     let record = records.next().and_then(Result::ok).filter(|_| left > 0);
@@ -195,19 +197,16 @@ impl Stimuli {
         }))
     }
 
-    fn cross_product(&self, axes: &[Axis], skip: u64) -> NextRow {
+    fn cross_product(axes: &[Axis], mut rows: Range<u64>) -> NextRow {
         let axes: Vec<_> = axes.iter().map(|axis| (axis.over.clone(), axis.port, axis.count)).collect();
-        let (mut index, count) = (skip, self.count);
         Box::new(move |set| {
-            let mut rest = index;
+            let Some(mut rest) = rows.next() else { return false };
             for (column, (over, port, count)) in axes.iter().enumerate().rev() {
                 let value = over.value(rest % count).and_then(|number| port.encode(number).ok());
                 set(column, value.unwrap_or_default());
                 rest /= count;
             }
-            let is_one = index < count;
-            index += u64::from(is_one);
-            is_one
+            true
         })
     }
 }
