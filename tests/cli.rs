@@ -1,10 +1,12 @@
 //! The command line as scripts see it: output, exit status, messages, files.
 
 mod completions;
+mod differences;
 mod json;
 mod mistakes;
 mod options;
 mod own_folder;
+mod parts;
 mod pictures;
 mod requirements;
 mod shown;

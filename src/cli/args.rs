@@ -7,7 +7,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Args, Parser, Subcommand};
 
 pub use super::accuracy::AccuracyArguments;
+pub use super::check::CheckArguments;
 use super::completions;
+pub use super::diff::DiffArguments;
 pub use super::draw::DrawArguments;
 pub use super::sweep::{MergeArguments, SweepArguments};
 use crate::base::word::of_letters;
@@ -70,37 +72,9 @@ pub enum Command {
     /// Run a circuit or a scenario
     Run(RunArguments),
     /// Run scenarios and compare them with their golden traces and expectations
-    #[command(after_help = "Examples:\n  stepwright check\n  stepwright check su1522157/table1\n  \
-        stepwright check ./mine    every scenario in a folder of yours\n  \
-        stepwright check --bless brm3.toml    write or rewrite the golden trace and tell what changed\n\n\
-        The golden trace of circuits/A/B.toml is traces/A/B.vcd; that of a scenario in no folder `circuits` is\n\
-        B.golden.vcd beside it; the key `golden` of a scenario names another place. The variable STEPWRIGHT_BLESS=1\n\
-        does what --bless does.")]
-    Check {
-        /// Scenarios and folders, by their paths or below ./circuits; all of ./circuits when none is given
-        #[arg(value_name = "SCENARIO|FOLDER", add = completions::scenarios())]
-        scenarios: Vec<PathBuf>,
-        /// Rewrite the golden traces and print what changed (refused when the variable CI is set)
-        #[arg(long)]
-        bless: bool,
-        /// Engine to run on
-        #[arg(long, value_name = "NAME", default_value = "auto", value_parser = engine())]
-        engine: EngineKind,
-        /// Print one JSON object
-        #[arg(long)]
-        json: bool,
-    },
-    /// Compare two waveform files and show where they first differ
-    #[command(after_help = "Example:\n  stepwright diff traces/su1522157/table1.vcd out.vcd")]
-    Diff {
-        /// The expected waveform (VCD)
-        a: PathBuf,
-        /// The other one
-        b: PathBuf,
-        /// Print one JSON object
-        #[arg(long)]
-        json: bool,
-    },
+    Check(CheckArguments),
+    /// Compare two waveform files, of any tools, and show where they first differ and why
+    Diff(DiffArguments),
     /// Draw a plot file by a machine: figures, pictures
     Draw(DrawArguments),
     /// Run many stimuli of a circuit, one row of results each
@@ -199,9 +173,11 @@ pub(super) fn given_once<'n>(option: &str, names: impl Iterator<Item = &'n Strin
     stepwright run su1522157/table1 --table\n  \
     stepwright run su1522157/interpolator -s major_32=8 -s minor_34=3 -p MINUS_ZERO=1 --json\n  \
     stepwright run ./my.v -s start=1 --until done --wave my.fst --trace 'counter_*' --from 100 --to 200\n  \
-    stepwright run su1522157/table1 --csv - --columns f_1,r_14 --when step_x_36\n\n\
+    stepwright run su1522157/table1 --csv - --columns f_1,r_14 --when step_x_36\n  \
+    stepwright run su1522157/table1 --wave end.vcd --last 20 --trace 'accumulator_1.*'    one scope, the last ticks\n\n\
     The file - is standard output. A waveform's format follows from its ending.")]
 #[command(group = ArgGroup::new("waveform").multiple(true).args(["wave", "vcd", "fst"]))]
+#[command(group = ArgGroup::new("shown").multiple(true).args(["wave", "vcd", "fst", "table", "csv"]))]
 #[command(group = ArgGroup::new("rows").multiple(true).args(["table", "csv"]))]
 pub struct RunArguments {
     /// What to run.
@@ -228,6 +204,10 @@ pub struct RunArguments {
     /// Trace up to and including this tick
     #[arg(long, value_name = "TICK", requires = "waveform")]
     pub to: Option<u64>,
+    /// Trace the last ticks only, so many
+    #[arg(long, value_name = "TICKS", requires = "waveform", conflicts_with_all = ["from", "to", "when"],
+        value_parser = clap::value_parser!(u64).range(1..))]
+    pub last: Option<u64>,
     /// Print a table of signals, tick by tick or as the scenario's table says
     #[arg(long)]
     pub table: bool,
@@ -237,8 +217,8 @@ pub struct RunArguments {
     /// The table's columns: names of signals
     #[arg(long, value_name = "NAME,..", value_delimiter = ',', requires = "rows", add = completions::nets())]
     pub columns: Vec<String>,
-    /// The table's rows: ticks in which one of these nets is high
-    #[arg(long, value_name = "NET,..", value_delimiter = ',', requires = "rows", add = completions::nets())]
+    /// The table's rows: ticks in which one of these nets is high; a waveform begins with the first of them
+    #[arg(long, value_name = "NET,..", value_delimiter = ',', requires = "shown", add = completions::nets())]
     pub when: Vec<String>,
     /// Draw the path, as is done anyway without --json
     #[arg(long)]
@@ -252,7 +232,7 @@ pub struct RunArguments {
 }
 
 /// An engine by its name; `clap` lists the names and suggests the nearest.
-fn engine() -> impl TypedValueParser<Value = EngineKind> {
+pub(super) fn engine() -> impl TypedValueParser<Value = EngineKind> {
     PossibleValuesParser::new(EngineKind::all().map(|kind| PossibleValue::new(kind.name()).help(kind.doc())))
         .try_map(|name| name.parse::<EngineKind>().map_err(|error| error.message))
 }

@@ -1,19 +1,38 @@
 //! Who drives whom in a netlist, by the names of its waveform: for walking back from a difference to its cause.
 
+use std::collections::HashMap;
+
 use crate::blocks::Direction;
+use crate::compile;
 use crate::golden::{Driven, Driver, Drivers};
 use crate::netlist::{Cell, CellKind, Net, NetId, Netlist, Part, Source};
 
-/// The drivers of every net and of every port of a block.
+/// The drivers of every net, of every port of a block, and of what is inside it, which is as good as its inputs.
 pub(super) fn drivers(netlist: &Netlist) -> Drivers {
-    let mut all = Drivers::new();
+    let (mut all, mut insides) = (Drivers::new(), HashMap::new());
     for net in netlist.nets.iter().filter(|net| !net.is_clock) {
-        all.insert(name_of(netlist, net), Driven { by: net_drivers(netlist, net), place: net_place(netlist, net) });
+        let (by, place) = (net_drivers(netlist, net), net_place(netlist, net));
+        all.insert(name_of(netlist, net), Driven { by, place, is_net: true });
     }
     for cell in netlist.cells.iter().filter(|cell| matches!(cell.kind, CellKind::Block { .. })) {
         all.extend(port_drivers(netlist, cell));
+        insides.insert(port_path(netlist, cell), inside(netlist, cell));
+    }
+    for signal in compile::signals(netlist) {
+        let cell = (1..signal.path.len()).rev().find_map(|length| insides.get(&signal.path[..length]));
+        if let Some(driven) = cell {
+            all.entry(signal.path.join(".")).or_insert_with(|| driven.clone());
+        }
     }
     all
+}
+
+/// What a value inside a block is driven by: the inputs, now or before.
+fn inside(netlist: &Netlist, cell: &Cell) -> Driven {
+    let inputs = cell.ports(Direction::Input);
+    let names = inputs.iter().map(|port| port_name(netlist, cell, &port.name));
+    let by = names.flat_map(|net| [false, true].map(|delayed| Driver { net: net.clone(), delayed }));
+    Driven { by: by.collect(), place: cell_place(netlist, cell), is_net: false }
 }
 
 fn name_of(netlist: &Netlist, net: &Net) -> String {
@@ -22,10 +41,14 @@ fn name_of(netlist: &Netlist, net: &Net) -> String {
     path.join(".")
 }
 
-fn port_name(netlist: &Netlist, cell: &Cell, port: &str) -> String {
+fn port_path(netlist: &Netlist, cell: &Cell) -> Vec<String> {
     let mut path = netlist.path(cell.scope);
-    path.extend([cell.name.clone(), port.to_owned()]);
-    path.join(".")
+    path.push(cell.name.clone());
+    path
+}
+
+fn port_name(netlist: &Netlist, cell: &Cell, port: &str) -> String {
+    format!("{}.{port}", port_path(netlist, cell).join("."))
 }
 
 fn at_once(net: String) -> Driver {
@@ -89,7 +112,7 @@ fn port_drivers(netlist: &Netlist, cell: &Cell) -> Vec<(String, Driven)> {
     let mut all = Vec::new();
     for (port, parts) in inputs.iter().zip(&cell.inputs) {
         let by = read_by(netlist, parts).collect();
-        all.push((port_name(netlist, cell, &port.name), Driven { by, place: place.clone() }));
+        all.push((port_name(netlist, cell, &port.name), Driven { by, place: place.clone(), is_net: false }));
     }
     let has_state = !cell.body.graph.registers.is_empty() || !cell.body.graph.rams.is_empty();
     for (port, edges) in cell.ports(Direction::Output).iter().zip(cell.body.combinational_edges()) {
@@ -99,7 +122,7 @@ fn port_drivers(netlist: &Netlist, cell: &Cell) -> Vec<(String, Driven)> {
             by.extend(combinational.then(|| at_once(net.clone())));
             by.extend(has_state.then_some(Driver { net, delayed: true }));
         }
-        all.push((port_name(netlist, cell, &port.name), Driven { by, place: place.clone() }));
+        all.push((port_name(netlist, cell, &port.name), Driven { by, place: place.clone(), is_net: false }));
     }
     all
 }

@@ -8,7 +8,7 @@ use crate::files::{Output, is_standard_output, seen_from};
 use crate::scenario::{Axis, Plot, Scenario};
 use crate::simulation::Design;
 use crate::trace::{
-    Coordinate, CsvTable, FORMATS, Format, Observer, Path, Rows, SaveFile, Select, Table, Wave, Window,
+    Coordinate, CsvTable, FORMATS, Format, Last, Observer, Path, Rows, SaveFile, Select, Table, Wave, When, Window,
 };
 
 /// The observers that were asked for. Table and path are looked at when the run is over.
@@ -18,6 +18,8 @@ pub(super) struct Observers {
     waves: Vec<(&'static Format, PathBuf)>,
     select: Select,
     window: Window,
+    last: Option<u64>,
+    when: Vec<String>,
     save: Option<PathBuf>,
     curves: Vec<String>,
     csv: Option<(PathBuf, Rows)>,
@@ -59,6 +61,8 @@ impl Observers {
             waves,
             select: selection(&arguments.trace, scenario)?,
             window,
+            last: arguments.last,
+            when: arguments.when.clone(),
             save: arguments.gtkw.clone(),
             curves: scenario.plot.iter().flat_map(Plot::names).map(str::to_owned).collect(),
             csv: arguments.csv.clone().map(|path| (path, rows(arguments, design))),
@@ -73,7 +77,12 @@ impl Observers {
         let mut all: Vec<Box<dyn Observer>> = Vec::new();
         for (format, path) in &self.waves {
             let wave = Wave::new(format, Box::new(Output::create(path)?));
-            all.push(Box::new(wave.of(self.select.clone()).within(self.window)));
+            let wave = wave.of(self.select.clone()).within(self.window);
+            all.push(match (self.last, self.when.as_slice()) {
+                (Some(ticks), _) => Box::new(Last::new(ticks, wave)),
+                (None, []) => Box::new(wave),
+                (None, nets) => Box::new(When::new(nets.to_vec(), wave)),
+            });
         }
         if let (Some(path), Some((_, dump))) = (&self.save, self.waves.first()) {
             let out = Box::new(Output::create(path)?);

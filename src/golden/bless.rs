@@ -32,7 +32,7 @@ impl Summary {
     /// # Errors
     /// Those of [`super::check`] when `new` could not be checked against itself, and those of [`super::diff`].
     pub fn of(old: Option<&Input>, new: &Input) -> Result<Self, Report> {
-        let own = check(new, new)?.comparison;
+        let own = check(new, new)?;
         let mut summary = Self {
             is_new: old.is_none(),
             signals: own.nets,
@@ -44,7 +44,7 @@ impl Summary {
             changed: Vec::new(),
         };
         if let Some(old) = old {
-            let comparison = diff(old, new, &How::default())?.comparison;
+            let comparison = diff(old, new, &How::default())?;
             summary.changed = comparison.changed;
             summary.old_span = comparison.spans.map(|(old, _)| old);
             (summary.removed, summary.added, summary.widths) =

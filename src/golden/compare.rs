@@ -4,14 +4,9 @@ use std::ops::Range;
 
 use super::Waveform;
 use super::how::{How, Signals};
-use super::input::Input;
 use super::merge::{Merged, merge};
-use super::pairs::{Pairs, Parts};
-use super::read::cut;
-use super::sample::Sampled;
-use super::source::Source;
+use super::pairs::{Pair, Pairs, Parts};
 use super::track::Value;
-use crate::base::Report;
 
 /// A signal whose values differ.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -40,12 +35,14 @@ pub struct Comparison {
     pub extra: Vec<String>,
     /// Signals whose width differs: name, expected and got bits.
     pub widths: Vec<(String, u32, u32)>,
-    /// Whether the lists above are differences: not where only shared signals are asked for.
+    /// Whether signals that only one has are differences.
     pub needs_all: bool,
     /// Texts and events of both, and signals that are a number in one and bits in the other: they were not compared.
     pub uncompared: Vec<String>,
     /// Whether the times of one do not fit into 64 bits of the other's finer unit, so that not all were compared.
     pub beyond: bool,
+    /// Femtoseconds that a tick stands for here: 1,000,000 with waveforms of ours.
+    pub unit: u64,
     /// The ticks that each tells about, when these differ.
     pub spans: Option<(Range<u64>, Range<u64>)>,
     /// Every signal that differs, the earliest first.
@@ -88,11 +85,25 @@ impl Comparison {
         self.nets > 0 && self.span.start < self.span.end && whole && same
     }
 
-    fn new(pairs: Pairs, merged: &Merged, how: &How) -> Self {
+    pub(super) fn new(pairs: Pairs, merged: &Merged, how: &How, units: [u64; 2]) -> Self {
         let [missing, extra] = pairs.only;
         let [mine, theirs] = merged.spans.clone();
         let needs_all = how.signals == Signals::All;
-        let is_cut = needs_all && how.window.is_none() && !merged.beyond && mine != theirs;
+        let unit = units[0].min(units[1]);
+        let is_other_clock = units[0] != units[1] || how.at.iter().any(Option::is_some);
+        let slack = match how.signals {
+            Signals::All => 0,
+            Signals::Common => {
+                if is_other_clock {
+                    units[0].max(units[1]) / unit
+                } else {
+                    0
+                }
+            }
+            Signals::Shared => u64::MAX,
+        };
+        let apart = mine.start.abs_diff(theirs.start).max(mine.end.abs_diff(theirs.end));
+        let is_cut = how.window.is_none() && !merged.beyond && apart > slack;
         let tallied = pairs.all.iter().map(|pair| (pair, merged.tallies[pair.class]));
         let differing = tallied.filter_map(|(pair, tally)| {
             tally.first.map(|first| Changed { name: pair.name.clone(), first, ticks: tally.ticks })
@@ -108,6 +119,7 @@ impl Comparison {
             needs_all,
             uncompared: pairs.uncompared,
             beyond: merged.beyond,
+            unit,
             spans: is_cut.then_some((mine, theirs)),
             changed,
             divergence: None,
@@ -120,103 +132,52 @@ impl Comparison {
 pub fn compare(expected: &Waveform, got: &Waveform, signals: Signals) -> Comparison {
     let how = How { signals, ..How::default() };
     let pairs = Pairs::new(expected.declared(), got.declared(), &how);
-    let merged = merge(&mut expected.replay(), &mut got.replay(), &pairs, &how);
+    let merged = merge(&mut expected.replay(), &mut got.replay(), &pairs, &how, None);
     let merged = merged.unwrap_or_else(|_| unreachable!("a waveform in memory has been read"));
     let divergence = divergence(&pairs, &merged, [expected, got]);
-    Comparison { divergence, ..Comparison::new(pairs, &merged, &how) }
-}
-
-/// Two files compared.
-#[derive(Clone, Debug)]
-pub struct Diff {
-    /// What was found.
-    pub comparison: Comparison,
-    /// If their values differ, what the expected and the got waveform say from some ticks before the first difference
-    /// to some ticks after it, in the unit of the comparison: enough for [`super::causes`].
-    pub around: Option<[Waveform; 2]>,
-}
-
-/// Compares two files of any size in memory that does not grow with their length; if their values differ, both are
-/// read once more around the first difference.
-///
-/// # Errors
-/// Those of [`super::read()`], and `W021` when there is no net to look at them by.
-pub fn diff(expected: &Input, got: &Input, how: &How) -> Result<Diff, Report> {
-    Ok(diffed([expected, got], how)?.0)
-}
-
-/// Compares a golden trace with a run as [`diff`] does, nothing forgiven.
-///
-/// # Errors
-/// Those of [`diff`], and `W018` when the golden trace does not end with the time that closes every waveform of ours.
-pub fn check(golden: &Input, run: &Input) -> Result<Diff, Report> {
-    match diffed([golden, run], &How::default())? {
-        (diff, true) => Ok(diff),
-        (_, false) => Err(cut(golden.name()).into()),
-    }
-}
-
-/// The comparison, and whether the expected file ends with a closing time.
-fn diffed(inputs: [&Input; 2], how: &How) -> Result<(Diff, bool), Report> {
-    let [mut expected, mut got] = [opened(inputs[0], how, 0)?, opened(inputs[1], how, 1)?];
-    let pairs = Pairs::new(expected.declared(), got.declared(), how);
-    let merged = merge(expected.as_mut(), got.as_mut(), &pairs, how)?;
-    let is_closed = expected.is_closed();
-    let units = [expected.declared().unit, got.declared().unit];
-    // Readers hold buffers and threads.
-    drop((expected, got));
-    let Some(tick) = merged.first() else {
-        return Ok((Diff { comparison: Comparison::new(pairs, &merged, how), around: None }, is_closed));
-    };
-    let window = around(tick, &merged.span);
-    let read = |side: usize| {
-        let factor = units[side] / units[0].min(units[1]);
-        // One tick more, because registers answer to the tick before.
-        let coarse = window.start.saturating_sub(1) / factor..window.end.div_ceil(factor);
-        let mut source = opened(inputs[side], how, side)?;
-        Waveform::gather(inputs[side].name(), source.as_mut(), &coarse).map(|wave| wave.finer(factor))
-    };
-    let waves = [read(0)?, read(1)?];
-    let divergence = divergence(&pairs, &merged, [&waves[0], &waves[1]]);
-    let comparison = Comparison { divergence, ..Comparison::new(pairs, &merged, how) };
-    Ok((Diff { comparison, around: Some(waves) }, is_closed))
-}
-
-fn opened(input: &Input, how: &How, side: usize) -> Result<Box<dyn Source>, Report> {
-    let source = input.open()?;
-    match &how.at[side] {
-        Some(edge) => Ok(Box::new(Sampled::new(input.name(), source, edge)?)),
-        None => Ok(source),
-    }
+    Comparison { divergence, ..Comparison::new(pairs, &merged, &how, [expected.unit(), got.unit()]) }
 }
 
 impl Merged {
-    fn first(&self) -> Option<u64> {
+    /// The first tick at which anything differs.
+    pub(super) fn first(&self) -> Option<u64> {
         self.tallies.iter().filter_map(|tally| tally.first).min()
     }
 }
 
-fn around(tick: u64, span: &Range<u64>) -> Range<u64> {
+/// The ticks that are shown around one.
+pub(super) fn around(tick: u64, span: &Range<u64>) -> Range<u64> {
     tick.saturating_sub(AROUND).max(span.start)..tick.saturating_add(AROUND + 1).min(span.end)
 }
 
 /// The first difference, with values out of waveforms that hold the ticks around it.
-fn divergence(pairs: &Pairs, merged: &Merged, waves: [&Waveform; 2]) -> Option<Divergence> {
+pub(super) fn divergence(pairs: &Pairs, merged: &Merged, waves: [&Waveform; 2]) -> Option<Divergence> {
     let tick = merged.first()?;
+    let differing = pairs.all.iter().filter(|pair| merged.tallies[pair.class].first == Some(tick));
+    Some(shown(pairs, differing, tick, &merged.span, waves))
+}
+
+/// Signals at the ticks around one, out of waveforms that hold them.
+pub(super) fn shown<'p>(
+    pairs: &Pairs,
+    nets: impl Iterator<Item = &'p Pair>,
+    tick: u64,
+    span: &Range<u64>,
+    waves: [&Waveform; 2],
+) -> Divergence {
     let unit = waves[0].unit().min(waves[1].unit());
-    let around = around(tick, &merged.span);
+    let around = around(tick, span);
     let values = |parts: &Parts, wave: &Waveform| {
         let at = |tick: u64| parts.put_together(|id| wave.track_of(id).at(tick / (wave.unit() / unit)));
         let shown = |value: Option<Value>| value.map_or_else(|| "-".to_owned(), |value| value.to_string());
         around.clone().map(|tick| shown(at(tick))).collect()
     };
-    let differing = pairs.all.iter().filter(|pair| merged.tallies[pair.class].first == Some(tick));
-    let nets = differing.map(|pair| {
+    let nets = nets.map(|pair| {
         let [expected, got] = &pairs.classes[pair.class];
         let (expected, got) = (values(expected, waves[0]), values(got, waves[1]));
         Differing { name: pair.name.clone(), width: pair.width, expected, got }
     });
-    Some(Divergence { tick, nets: nets.collect(), around: around.clone() })
+    Divergence { tick, nets: nets.collect(), around: around.clone() }
 }
 
 #[cfg(test)]

@@ -61,6 +61,15 @@ pub(super) struct Declared {
     pub unit: u64,
 }
 
+impl Declared {
+    /// Single bits of these names, for matching names alone.
+    pub fn of_names<'n>(names: impl Iterator<Item = &'n str>) -> Self {
+        let name = |(at, path): (usize, &str)| Name { path: path.to_owned(), signal: SignalId::new(at), range: None };
+        let names: Vec<_> = names.enumerate().map(name).collect();
+        Self { signals: vec![Signal { kind: Kind::Bits, width: 1 }; names.len()], names, unit: 1 }
+    }
+}
+
 /// Puts a [`Declared`] together, whatever the format; messages come without a place.
 #[derive(Debug)]
 pub(super) struct Declaring {

@@ -11,7 +11,7 @@ const KINDS: &[u8] = include_bytes!("../../fuzz/seeds/fst/kinds.fst");
 #[test]
 fn an_fst_says_what_the_vcd_says_that_it_was_made_from() {
     let [vcd, fst] = [VCD, FST].map(|bytes| Input::bytes("test", bytes));
-    let comparison = diff(&vcd, &fst, &How::default()).unwrap().comparison;
+    let comparison = diff(&vcd, &fst, &How::default()).unwrap();
     assert!(comparison.is_equal(), "{comparison}");
     let wave = read("kinds", KINDS).unwrap();
     assert_eq!(wave.unit(), 10_000);

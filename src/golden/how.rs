@@ -8,6 +8,9 @@ pub enum Signals {
     /// All of them: a golden trace and its run. Both must tell about the same ticks.
     #[default]
     All,
+    /// Those that both have are compared; the others are told. Both must tell about the same ticks, but where their
+    /// units differ or edges are looked at, one of the coarser ticks more or less is no difference.
+    Common,
     /// Those that both have are compared, as far as both go: ours and an outside simulator's.
     Shared,
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::cone::{Cone, Cones};
 use super::declared::{Kind, SignalId};
 use super::how::{How, Signals, Unknown};
 use super::pairs::{Pairs, Parts};
@@ -20,11 +21,22 @@ pub(super) struct Tally {
     pub ticks: u64,
 }
 
+/// What is behind a difference.
+#[derive(Clone, Default, Debug)]
+pub(super) struct Behind {
+    /// Which of the cones of its class: one in which nothing is wrong, if there is one.
+    pub cone: usize,
+    /// The classes in it that were wrong with the difference or, through state, before it.
+    pub wrong: Vec<usize>,
+}
+
 /// What came of reading both.
 #[derive(Debug)]
 pub(super) struct Merged {
     /// For each class of [`Pairs`].
     pub tallies: Vec<Tally>,
+    /// For each class, if causes were asked for, what is behind the first tick at which it differs.
+    pub behind: Vec<Behind>,
     /// The ticks that were compared.
     pub span: Range<u64>,
     /// The ticks that each tells about.
@@ -64,7 +76,7 @@ impl<'a> Side<'a> {
     }
 
     /// Takes the next values, and tells which classes they may change.
-    fn advance(&mut self, judge: &mut Judge<'_>) -> Result<(), Report> {
+    fn advance(&mut self, judge: &mut Judge<'_, '_, '_>) -> Result<(), Report> {
         self.source.advance(&mut self.state)?;
         for id in self.state.touched() {
             self.classes[id.index()].iter().for_each(|&class| judge.touch(class));
@@ -79,7 +91,8 @@ impl<'a> Side<'a> {
     }
 }
 
-/// Reads both sources to their ends; with a window, or where only shared ticks count, as far as needed.
+/// Reads both sources to their ends; with a window, or where only shared ticks count, as far as needed. With cones it
+/// finds what is behind the first difference of every class.
 ///
 /// # Errors
 /// Those of the sources.
@@ -88,10 +101,11 @@ pub(super) fn merge(
     got: &mut dyn Source,
     pairs: &Pairs,
     how: &How,
+    cones: Option<&mut Cones<'_>>,
 ) -> Result<Merged, Report> {
     let unit = expected.declared().unit.min(got.declared().unit);
     let mut sides = [Side::new(expected, unit, pairs, 0), Side::new(got, unit, pairs, 1)];
-    let mut judge = Judge::new(pairs, how);
+    let mut judge = Judge::new(pairs, how, cones);
     for side in &mut sides {
         side.advance(&mut judge)?;
     }
@@ -124,24 +138,26 @@ pub(super) fn merge(
     let span = start..end.max(start);
     judge.close(span.end);
     let beyond = sides.iter().any(|side| side.beyond);
-    Ok(Merged { tallies: judge.tallies, span, spans: [sides[0].span(), sides[1].span()], beyond })
+    Ok(Merged { tallies: judge.tallies, behind: judge.behind, span, spans: [sides[0].span(), sides[1].span()], beyond })
 }
 
 /// What differs at present, and what differed so far.
-struct Judge<'a> {
+struct Judge<'a, 'c, 'd> {
     pairs: &'a Pairs,
     how: &'a How,
+    cones: Option<&'c mut Cones<'d>>,
     tallies: Vec<Tally>,
+    behind: Vec<Behind>,
     /// Classes of which a value may have changed since the last look, each once.
     touched: Vec<u32>,
     is_touched: Vec<bool>,
 }
 
-impl<'a> Judge<'a> {
-    fn new(pairs: &'a Pairs, how: &'a How) -> Self {
+impl<'a, 'c, 'd> Judge<'a, 'c, 'd> {
+    fn new(pairs: &'a Pairs, how: &'a How, cones: Option<&'c mut Cones<'d>>) -> Self {
         let count = pairs.classes.len();
-        let tallies = vec![Tally::default(); count];
-        Self { pairs, how, tallies, touched: (0..count as u32).collect(), is_touched: vec![true; count] }
+        let (tallies, behind) = (vec![Tally::default(); count], vec![Behind::default(); count]);
+        Self { pairs, how, cones, tallies, behind, touched: (0..count as u32).collect(), is_touched: vec![true; count] }
     }
 
     fn touch(&mut self, class: u32) {
@@ -152,15 +168,27 @@ impl<'a> Judge<'a> {
 
     /// Compares what has changed; the values are those from `now` on.
     fn look(&mut self, sides: &[Side<'_>; 2], now: u64) {
+        let mut new = Vec::new();
         for class in std::mem::take(&mut self.touched) {
             let class = class as usize;
             self.is_touched[class] = false;
             let tally = &mut self.tallies[class];
             if self.how.is_same(&self.pairs.classes[class], [&sides[0].state, &sides[1].state]) {
                 tally.commit(now, self.how.late);
-            } else {
-                tally.since.get_or_insert(now);
+            } else if tally.since.is_none() {
+                tally.since = Some(now);
+                new.extend(tally.first.is_none().then_some(class));
             }
+        }
+        let Some(cones) = &mut self.cones else { return };
+        let tallies = &self.tallies;
+        for class in new {
+            let cones = cones.of(class);
+            let behind = cones.iter().enumerate().map(|(cone, Cone { by, .. })| {
+                let wrong = by.iter().filter(|(behind, delayed)| tallies[*behind].is_wrong(*delayed, now));
+                Behind { cone, wrong: wrong.map(|(behind, _)| *behind).collect() }
+            });
+            self.behind[class] = behind.min_by_key(|behind| behind.wrong.len()).unwrap_or_default();
         }
     }
 
@@ -170,6 +198,14 @@ impl<'a> Judge<'a> {
 }
 
 impl Tally {
+    /// Whether it differs; with `before`, whether it has differed.
+    fn is_wrong(&self, before: bool, now: u64) -> bool {
+        match self.since {
+            Some(since) if !before || since < now => true,
+            _ => before && self.first.is_some(),
+        }
+    }
+
     /// Ends a difference; one of no more than `late` ticks is forgiven.
     fn commit(&mut self, end: u64, late: u64) {
         if let Some(since) = self.since.take()

@@ -7,14 +7,24 @@ use super::{Cause, Changed, Comparison, Divergence, Summary};
 /// How many names of a list are shown before "and so many more".
 const MOST_NAMES: usize = 12;
 
+/// Femtoseconds of a tick of ours.
+const TICK: u64 = 1_000_000;
+
+/// How many signals that follow from a cause are named.
+const MOST_FOLLOWERS: usize = 4;
+
 /// How many of the differing signals are shown with their values around.
 const MOST_ROWS: usize = 6;
 
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.unit != TICK {
+            writeln!(f, "a tick is {} here", time(self.unit))?;
+        }
         if self.is_equal() {
             let ticks = self.span.end - self.span.start;
-            return writeln!(f, "equal: {} signals, {ticks} ticks", self.nets);
+            writeln!(f, "equal: {} signals, {ticks} ticks", self.nets)?;
+            return self.told(f);
         }
         if let Some(divergence) = &self.divergence {
             divergence.fmt(f)?;
@@ -38,6 +48,20 @@ impl fmt::Display for Comparison {
             writeln!(f, "the waveforms have no signal in common")?;
         } else if self.span.is_empty() {
             writeln!(f, "the waveforms have no tick in common")?;
+        }
+        self.told(f)
+    }
+}
+
+impl Comparison {
+    /// Signals that only one waveform has, where that is no difference.
+    fn told(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lists = [("the expected waveform", &self.missing), ("the other one", &self.extra)];
+        for (whose, names) in lists.into_iter().filter(|(_, names)| !self.needs_all && !names.is_empty()) {
+            let shown: Vec<_> = names.iter().take(MOST_NAMES).map(String::as_str).collect();
+            let more = names.len() - shown.len();
+            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            writeln!(f, "not compared, being only in {whose}: {}{more}", shown.join(", "))?;
         }
         Ok(())
     }
@@ -97,6 +121,13 @@ fn number(shown: &str, width: u32) -> String {
     }
 }
 
+/// Femtoseconds as the largest unit of which they are a whole number.
+fn time(femtoseconds: u64) -> String {
+    let units = [(1_000_000_000, "us"), (1_000_000, "ns"), (1000, "ps"), (1, "fs")];
+    let fits = units.into_iter().find(|(unit, _)| femtoseconds.is_multiple_of(*unit));
+    fits.map_or_else(String::new, |(unit, name)| format!("{} {name}", femtoseconds / unit))
+}
+
 fn names(f: &mut fmt::Formatter<'_>, what: &str, names: &[String]) -> fmt::Result {
     for name in names.iter().take(MOST_NAMES) {
         writeln!(f, "{name}: {what}")?;
@@ -110,18 +141,39 @@ fn more(f: &mut fmt::Formatter<'_>, count: usize) -> fmt::Result {
 
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Cause { net, tick, expected, got, .. } = self;
+        let Cause { net, tick, inputs, untraced, .. } = self;
+        let (expected, got) = self.values();
         write!(f, "{net} first went wrong, at tick {tick}: expected {expected}, got {got}")?;
-        f.write_str(if self.inputs > 0 { " while its drivers are right" } else { "; nothing traced drives it" })?;
+        f.write_str(match (inputs, untraced) {
+            (0, 0) => "; nothing drives it",
+            (0, _) => "; nothing traced drives it",
+            (_, 0) => " while its drivers are right",
+            _ => " while its nearest traced drivers are right",
+        })?;
         match self.place.as_str() {
             "" => writeln!(f)?,
             place => writeln!(f, " ({place})")?,
         }
-        if self.path.len() > 1 {
-            let steps: Vec<_> = self.path.iter().map(|(net, tick)| format!("{net} (tick {tick})")).collect();
-            writeln!(f, "  {}", steps.join(" <- "))?;
+        if *untraced > 0 {
+            writeln!(f, "  nets between that are not traced, of which one may be wrong: {untraced}")?;
         }
-        Ok(())
+        let follows = &self.follows;
+        for name in follows.iter().take(MOST_FOLLOWERS) {
+            writeln!(f, "  {name} follows")?;
+        }
+        if follows.len() > MOST_FOLLOWERS {
+            writeln!(f, "  and {} more follow", follows.len() - MOST_FOLLOWERS)?;
+        }
+        self.around.table(f)
+    }
+}
+
+impl Cause {
+    /// The expected value and the other one.
+    #[must_use]
+    pub fn values(&self) -> (&str, &str) {
+        let at = (self.tick - self.around.around.start) as usize;
+        self.around.nets.first().map_or(("-", "-"), |net| (&net.expected[at], &net.got[at]))
     }
 }
 
@@ -168,7 +220,8 @@ mod tests {
     #[test]
     fn a_long_list_is_cut_with_a_count() {
         let missing: Vec<_> = (0..MOST_NAMES + 3).map(|i| format!("n{i}")).collect();
-        let text = Comparison { nets: 1, span: 0..1, needs_all: true, missing, ..Comparison::default() }.to_string();
+        let text = Comparison { nets: 1, unit: TICK, span: 0..1, needs_all: true, missing, ..Comparison::default() }
+            .to_string();
         assert_eq!(text.lines().count(), MOST_NAMES + 1);
         assert!(text.ends_with("and 3 more\n"), "{text}");
     }

@@ -11,7 +11,7 @@ pub(super) type Match = [Vec<usize>; 2];
 const MOST_ALIKE: usize = 64;
 
 /// A scope of the expected waveform and the one that stands for it.
-type Scopes = (String, String);
+pub(super) type Scopes = (String, String);
 
 /// The names that stand for each other: those under `maps`, then those under the pair of scopes that most names speak
 /// for, then under the next one, and so on. What has no name of its own may be a bus in one file and bits in the other.
@@ -41,7 +41,7 @@ pub(super) fn matched(expected: &Declared, got: &Declared, maps: &[Scopes]) -> V
 }
 
 /// A path with one scope, or itself, put in the place of another.
-fn moved(path: &str, from: &str, to: &str) -> Option<String> {
+pub(super) fn moved(path: &str, from: &str, to: &str) -> Option<String> {
     let rest = path.strip_prefix(from)?;
     let rest = if from.is_empty() {
         rest
@@ -51,6 +51,11 @@ fn moved(path: &str, from: &str, to: &str) -> Option<String> {
         rest.strip_prefix('.')?
     };
     Some(if rest.is_empty() || to.is_empty() { format!("{to}{rest}") } else { format!("{to}.{rest}") })
+}
+
+/// The one pair of scopes that most names speak for.
+pub(super) fn best(expected: &Declared, got: &Declared) -> Option<Scopes> {
+    voted(expected, got).into_iter().next()
 }
 
 struct Side<'a> {

@@ -29,7 +29,18 @@ fn contradictory_options_are_refused_and_nothing_is_written() {
         (&["sweep", CIRCUIT, "--over", "major_32=1..3", "--resume"], "--out"),
         (&["sweep", CIRCUIT, "--out", "x.csv"], "--over"),
         (&["export", CIRCUIT], "--verilog"),
+        (&["run", FRAME, "--last", "5"], "--wave"),
+        (&["run", FRAME, "--last", "0", "--vcd", "x.vcd"], "--last"),
+        (&["run", FRAME, "--last", "5", "--from", "3", "--vcd", "x.vcd"], "cannot be used with"),
+        (&["run", FRAME, "--last", "5", "--when", "busy", "--vcd", "x.vcd"], "cannot be used with"),
+        (&["run", FRAME, "--when", "busi", "--vcd", "x.vcd"], "S012"),
+        (&["run", FRAME, "--when", "step_y_37", "--vcd", "x.vcd"], "W009"),
+        (&["run", FRAME, "--last", "9000000000000", "--vcd", "x.vcd"], "W008"),
+        (&["check", "--bless", "--since", "HEAD"], "cannot be used with"),
         (&["diff", "x.vcd"], "<B>"),
+        (&["diff", "x.vcd", "y.vcd", "--from", "5", "--to", "4"], "C008"),
+        (&["diff", "x.vcd", "y.vcd", "--near=-1"], "--near"),
+        (&["diff", "x.vcd", "y.vcd", "--map", "top"], "A=B"),
     ] {
         refuses(&stepwright_in(folder.path(), arguments), &[said]);
         assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 0, "{arguments:?}");

@@ -3,6 +3,7 @@
 mod blocks;
 mod circuits;
 mod composites;
+mod differences;
 mod duts;
 mod goldens;
 mod images;

@@ -94,7 +94,7 @@ fn vcd2fst_and_fst2vcd_keep_every_value_of_ours() {
         for fst in ["converted.fst", "ours.fst"] {
             let theirs = by_fst2vcd(folder.path(), fst);
             let [a, b] = ["ours.vcd", fst].map(|file| Input::file(&folder.path().join(file)));
-            let straight = diff(&a, &b, &How::default()).unwrap_or_else(|report| panic!("{report}")).comparison;
+            let straight = diff(&a, &b, &How::default()).unwrap_or_else(|report| panic!("{report}"));
             assert!(straight.is_equal(), "{fst}: {straight}");
             let comparison = compare(&ours, &theirs, Signals::Shared);
             assert!(comparison.is_equal(), "{fst}: {comparison}");

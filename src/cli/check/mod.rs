@@ -1,9 +1,10 @@
 //! `stepwright check`: scenarios against their golden traces and expectations.
 
+mod arguments;
 mod places;
+mod since;
 mod verdict;
 
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
@@ -14,14 +15,17 @@ use super::drivers::drivers;
 use super::observers::selection;
 use super::{Ending, check_files, complain, print, say};
 use crate::base::{Diagnostic, Report};
-use crate::files::{self, Scratch};
-use crate::golden::{self, Diff, Input, Summary};
-use crate::simulation::{Design, EngineKind, Session};
+use crate::files::{self, Scratch, Text};
+use crate::golden::{self, Cause, Comparison, Input, Summary};
+use crate::simulation::{Circuit, Design, EngineKind, Session};
 use crate::trace::{VCD, Wave};
+pub use arguments::CheckArguments;
+use since::Older;
 use verdict::{Kind, Verdict};
 
-pub(super) fn check(named: &[PathBuf], bless: bool, engine: EngineKind, json: bool) -> Result<Ending, Report> {
-    let bless = bless || set("STEPWRIGHT_BLESS");
+pub(super) fn check(arguments: &CheckArguments) -> Result<Ending, Report> {
+    let CheckArguments { scenarios: named, json, .. } = arguments;
+    let bless = arguments.bless || set("STEPWRIGHT_BLESS");
     if bless && set("CI") {
         let diagnostic = Diagnostic::new("C005", "golden traces are not blessed in CI");
         return Err(diagnostic.help("bless where the waveforms can be looked at, and commit them").into());
@@ -33,7 +37,9 @@ pub(super) fn check(named: &[PathBuf], bless: bool, engine: EngineKind, json: bo
         say(&format!("there is nothing to check: no scenario below {place}"));
         return Ok(Ending::Nothing);
     }
-    let judged: Vec<_> = scenarios.par_iter().map(|path| judge_one(path, bless, engine)).collect();
+    let how =
+        How { bless, engine: arguments.engine, since: arguments.since.as_deref().map(Older::checked_out).transpose()? };
+    let judged: Vec<_> = scenarios.par_iter().map(|path| judge_one(path, &how)).collect();
     let mut verdicts = Vec::new();
     for (verdict, report) in judged {
         report.iter().for_each(complain);
@@ -42,7 +48,8 @@ pub(super) fn check(named: &[PathBuf], bless: bool, engine: EngineKind, json: bo
     if is_all {
         verdicts.extend(lost_goldens(&verdicts));
     }
-    if json {
+    verdict::tell_causes_once(&mut verdicts);
+    if *json {
         print(&verdict::object(&verdicts))?;
     } else {
         verdicts.iter().try_for_each(|verdict| print(&verdict.lines()))?;
@@ -55,14 +62,22 @@ fn set(name: &str) -> bool {
     std::env::var_os(name).is_some_and(|value| !value.is_empty() && value != "0")
 }
 
+/// What is done with every scenario.
+struct How {
+    bless: bool,
+    engine: EngineKind,
+    since: Option<Older>,
+}
+
 /// The verdict on a scenario, and what is wrong with one that cannot be run.
-fn judge_one(path: &Path, bless: bool, engine: EngineKind) -> (Verdict, Option<Report>) {
+fn judge_one(path: &Path, how: &How) -> (Verdict, Option<Report>) {
     let session = Session::open(path);
     let said = session.as_ref().ok().and_then(|session| session.scenario().golden.as_deref());
     let golden = places::golden(path, said);
     let mut verdict = Verdict::new(path, golden, Kind::Broken);
-    let ran = session.and_then(|session| Ran::session(session.engine(engine)));
-    let judged = ran.and_then(|ran| if bless { ran.bless(&mut verdict) } else { ran.judge(&mut verdict) });
+    let ran = session.and_then(|session| Ran::session(session.engine(how.engine)));
+    let since = how.since.as_ref();
+    let judged = ran.and_then(|ran| if how.bless { ran.bless(&mut verdict) } else { ran.judge(&mut verdict, since) });
     let report = judged.err();
     verdict.text = report.as_ref().map_or(verdict.text, Report::to_string);
     (verdict, report)
@@ -75,6 +90,7 @@ fn how_to_bless(scenario: &Path) -> String {
 /// A scenario that has been run and traced.
 struct Ran {
     design: Design,
+    text: Option<Text>,
     trace: Scratch,
     ticks: u64,
     failed: Vec<String>,
@@ -83,6 +99,7 @@ struct Ran {
 
 impl Ran {
     fn session(session: Session) -> Result<Self, Report> {
+        let text = session.scenario_file().cloned();
         let design = session.elaborate()?;
         let trace = Scratch::create()?;
         let wave = Wave::new(VCD, trace.writer()).of(selection(&[], design.scenario())?);
@@ -91,24 +108,27 @@ impl Ran {
         let failed = run.failed_expectations(&design.scenario().expect, &outcome);
         let engine = run.engine();
         drop(run);
-        Ok(Self { trace, ticks: outcome.ticks, failed, engine, design })
+        Ok(Self { trace, ticks: outcome.ticks, failed, engine, design, text })
     }
 
     fn input(&self) -> Input {
-        let trace = self.trace.clone();
-        Input::new("the run", move || Ok(trace.reader()))
+        input("the run", &self.trace)
     }
 
     /// Compares with the golden trace and the expectations.
-    fn judge(self, verdict: &mut Verdict) -> Result<(), Report> {
+    fn judge(self, verdict: &mut Verdict, since: Option<&Older>) -> Result<(), Report> {
         let golden = &verdict.golden;
         let (mut wrong, mut signals) = (self.failed.clone(), 0);
         if golden.is_file() {
             let found = golden::check(&Input::file(golden), &self.input())?;
-            signals = found.comparison.nets;
-            verdict.first = found.comparison.divergence.as_ref().map_or(Value::Null, first);
-            if !found.comparison.is_equal() {
-                wrong.push(self.explain(&found, &verdict.scenario, golden));
+            signals = found.nets;
+            verdict.first = found.divergence.as_ref().map_or(Value::Null, first);
+            if !found.is_equal() {
+                wrong.push(self.explain(&found, golden));
+                let (causes, note) = self.causes(golden, since)?;
+                verdict.causes = causes;
+                wrong.extend((!note.is_empty()).then_some(note));
+                wrong.push(how_to_bless(&verdict.scenario));
             }
         } else {
             wrong.push(format!("there is no golden trace {}\n{}", golden.display(), how_to_bless(&verdict.scenario)));
@@ -146,20 +166,57 @@ impl Ran {
         Ok(())
     }
 
-    /// The first difference, where it comes from, and what to do now.
-    fn explain(&self, found: &Diff, scenario: &Path, golden: &Path) -> String {
-        let Diff { comparison, around } = found;
-        let mut text = format!("circuit {}, engine {}\n{comparison}", self.design.circuit().name(), self.engine);
-        if let (Some(divergence), Some([expected, got])) = (&comparison.divergence, around) {
-            let nets: Vec<_> = divergence.nets.iter().map(|net| net.name.as_str()).collect();
-            let known = drivers(self.design.netlist());
-            for cause in golden::causes(expected, got, &known, &nets, divergence.tick).iter().take(3) {
-                let _ = writeln!(text, "{cause}");
-            }
-        }
-        let _ = writeln!(text, "to look: gtkwave {}", golden.display());
-        text + &how_to_bless(scenario)
+    /// The first difference, and how to look at it.
+    fn explain(&self, found: &Comparison, golden: &Path) -> String {
+        let (circuit, engine) = (self.design.circuit().name(), self.engine);
+        format!("circuit {circuit}, engine {engine}\n{found}to look: gtkwave {}", golden.display())
     }
+
+    /// The nets that first went wrong, by the golden trace or by all nets of an older netlist, and what to say of that.
+    fn causes(&self, golden: &Path, since: Option<&Older>) -> Result<(Vec<Cause>, String), Report> {
+        let known = drivers(self.design.netlist());
+        let plain = golden::How::default();
+        let Some(since) = since else {
+            let (_, causes) = golden::explain(&Input::file(golden), &self.input(), &plain, &known)?;
+            let is_unsure = causes.iter().any(|cause| cause.untraced > 0);
+            return Ok((causes, if is_unsure { HOW_TO_BE_SURE.to_owned() } else { String::new() }));
+        };
+        let name = &since.name;
+        let Some(older) = self.older(since) else {
+            return Ok((
+                Vec::new(),
+                format!("at {name} there is no circuit that runs this scenario: no cause is known"),
+            ));
+        };
+        let (old, new) = (input(name, &whole(&older)?), input("the run", &whole(&self.design)?));
+        let (_, causes) = golden::explain(&old, &new, &plain, &known)?;
+        let same = format!("the netlist of {name} does the same: the golden trace is not of it");
+        let note = if causes.is_empty() { same } else { String::new() };
+        Ok((causes, note))
+    }
+
+    /// The older netlist with the present scenario.
+    fn older(&self, since: &Older) -> Option<Design> {
+        let circuit = self.design.files().first().and_then(|now| since.file(now))?;
+        let text = self.text.as_ref()?;
+        let session = Circuit::open(circuit).and_then(|circuit| circuit.scenario(&text.name, &text.text));
+        session.and_then(|session| session.engine(self.design.engine()).elaborate()).ok()
+    }
+}
+
+/// What to do where a golden trace lacks the net in question.
+const HOW_TO_BE_SURE: &str = "to compare every net with an older netlist: --since HEAD, or another revision";
+
+/// The trace of every net.
+fn whole(design: &Design) -> Result<Scratch, Report> {
+    let trace = Scratch::create()?;
+    design.start_with(vec![Box::new(Wave::new(VCD, trace.writer()))])?.finish()?;
+    Ok(trace)
+}
+
+fn input(name: &str, trace: &Scratch) -> Input {
+    let trace = trace.clone();
+    Input::new(name, move || Ok(trace.reader()))
 }
 
 /// Golden traces whose scenario is gone: a lost scenario must not go unseen.

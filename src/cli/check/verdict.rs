@@ -1,11 +1,14 @@
 //! What came of checking scenarios, as lines for a person or as one JSON object.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
 use crate::cli::Ending;
+use crate::cli::diff::cause;
 use crate::cli::result::json as line;
+use crate::golden::Cause;
 
 /// What came of one scenario.
 pub(super) struct Verdict {
@@ -18,6 +21,8 @@ pub(super) struct Verdict {
     pub failed: Vec<String>,
     /// The first difference from the golden trace, as `diff` has it.
     pub first: Value,
+    /// The nets that first went wrong.
+    pub causes: Vec<Cause>,
 }
 
 /// How a scenario did.
@@ -50,7 +55,7 @@ impl Kind {
 impl Verdict {
     pub fn new(scenario: &Path, golden: PathBuf, kind: Kind) -> Self {
         let scenario = scenario.to_owned();
-        Self { scenario, golden, kind, text: String::new(), failed: Vec::new(), first: Value::Null }
+        Self { scenario, golden, kind, text: String::new(), failed: Vec::new(), first: Value::Null, causes: Vec::new() }
     }
 
     /// The lines for a person.
@@ -72,8 +77,29 @@ impl Verdict {
             "result": self.kind.name(),
             "failed": self.failed,
             "first": self.first,
+            "causes": self.causes.iter().map(cause).collect::<Vec<_>>(),
             "text": self.text,
         })
+    }
+}
+
+/// Adds to the text of every verdict its causes; where the first cause has been told already, that is all there is to
+/// say.
+pub(super) fn tell_causes_once(verdicts: &mut [Verdict]) {
+    let mut told: HashMap<String, PathBuf> = HashMap::new();
+    for verdict in verdicts {
+        let Some(first) = verdict.causes.first() else { continue };
+        match told.get(&first.place) {
+            Some(before) if !first.place.is_empty() => {
+                let again = format!("{} went wrong, which is told at {}", first.place, before.display());
+                verdict.text = verdict.failed.iter().cloned().chain([again]).collect::<Vec<_>>().join("\n");
+            }
+            _ => {
+                verdict.text =
+                    verdict.causes.iter().fold(verdict.text.clone(), |text, cause| format!("{text}\n{cause}"));
+                told.insert(first.place.clone(), verdict.scenario.clone());
+            }
+        }
     }
 }
 
