@@ -12,7 +12,7 @@
 // step is a quarter, too: each step becomes a burst of four or three pulses, for which generator 15 has to leave 8 ticks.
 //
 // - A start with dx or dy = -2^WIDTH, which has no magnitude of WIDTH bits, is refused: `error` goes high until the next
-//   start that is accepted.
+//   start that is accepted, and `done` follows at once.
 // - A start while `busy` is high disturbs the frame under way.
 // - A frame of no length (dx = dy = 0) draws one whole step along Y: the spurious step of the interpolator.
 // - Frames follow each other from where the last one ended, which is up to a quarter of a step off its end point on either
@@ -43,7 +43,7 @@ module plotter #(
     output wire signed [WIDTH+7:0] motor_x,         // where the motors stand, in quarters
     output wire signed [WIDTH+7:0] motor_y,
     output wire busy,                               // until all pulses are past
-    output wire done,                               // one tick after the end
+    output wire done,                               // one tick after the end, or after a refused start
     output wire error                               // the last start was refused
 );
     localparam POSITION = WIDTH + 8;
@@ -154,5 +154,10 @@ module plotter #(
     );
 
     or or_busy (busy, interpolates, bursts_x, bursts_y);
-    trailing_edge #(.WIDTH(1)) end_of_frame (.clk(clk), .lines(busy), .strobes(done));
+    wire ended, refused_before;
+    trailing_edge #(.WIDTH(1)) end_of_frame (.clk(clk), .lines(busy), .strobes(ended));
+    register #(.WIDTH(1)) register_refused (
+        .clk(clk), .word(refused), .enable(1'b1), .clear(1'b0), .q(refused_before)
+    );
+    or or_done (done, ended, refused_before);
 endmodule
