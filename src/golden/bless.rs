@@ -30,7 +30,7 @@ impl Summary {
     /// What becomes different when the run `new` takes the place of `old`. Both are only read through.
     ///
     /// # Errors
-    /// Those of [`super::check`] when `new` could not be checked against itself, and those of [`super::diff`].
+    /// Those of [`super::check`] when `new` could not be checked against itself, and those of [`super::diff()`].
     pub fn of(old: Option<&Input>, new: &Input) -> Result<Self, Report> {
         let own = check(new, new)?;
         let mut summary = Self {
