@@ -279,7 +279,8 @@ fn a_row_of_memories() -> String {
 fn a_batch_of_what_is_too_large_for_lanes_runs_one_stimulus_after_another() {
     let text = a_row_of_memories();
     let rows = |engine| {
-        let design = Circuit::text("row.v", text.as_str()).session().ticks(3).engine(engine).elaborate().expect("it is right");
+        let design =
+            Circuit::text("row.v", text.as_str()).session().ticks(3).engine(engine).elaborate().expect("it is right");
         let (mut stimuli, mut rows) = (0..3, Vec::new());
         let feed = |words: &mut [u64]| stimuli.next().map(|word| words[1] = word).is_some();
         let done = design.batch().run(feed, |row| {
