@@ -39,8 +39,8 @@ fn check(bytes: &[u8]) -> Corpus {
             return Corpus::Keep;
         }
     };
-    let rows = |skip: u64| {
-        let mut feed = stimuli.feed(skip).expect("it has been read before");
+    let rows = |from: u64| {
+        let mut feed = stimuli.feed(from..stimuli.count()).expect("it has been read before");
         let mut words = vec![0; stimuli.inputs()];
         std::iter::from_fn(move || feed(&mut words).then(|| words.clone())).collect::<Vec<_>>()
     };
