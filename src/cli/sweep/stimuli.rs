@@ -116,7 +116,7 @@ impl Stimuli {
         }
         let varied: Option<Vec<_>> = columns(header.iter(), design, &mut wrong).into_iter().collect();
         let Some(varied) = varied.filter(|_| wrong.is_empty()) else {
-            return Err(Report::new(Sources::default(), wrong));
+            return Err(Report::new(Sources::default(), Self::shortened(wrong, path)));
         };
         let ports: Vec<_> = varied.iter().map(|&input| Port::of(net(design, input))).collect();
         let mut record = csv::ByteRecord::new();
@@ -195,6 +195,16 @@ impl Stimuli {
             words.copy_from_slice(&initial);
             next(&mut |column, word| words[varied[column]] = word)
         }))
+    }
+
+    /// No more errors of a header than of its rows are told.
+    fn shortened(mut wrong: Vec<Diagnostic>, path: &Path) -> Vec<Diagnostic> {
+        let more = wrong.len().saturating_sub(MOST_ERRORS);
+        if more > 0 {
+            wrong.truncate(MOST_ERRORS);
+            wrong.push(Diagnostic::new("C065", format!("{}: {more} more errors", path.display())));
+        }
+        wrong
     }
 
     fn cross_product(axes: &[Axis], mut rows: Range<u64>) -> NextRow {
