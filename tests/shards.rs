@@ -2,22 +2,8 @@
 
 use std::fs;
 
+use crate::support::SCENARIO;
 use crate::support::program::{Folder, said};
-
-const SCENARIO: &str = r#"
-circuit = "su1522157/interpolator"
-[inputs]
-x_is_major_35 = 1
-[[at]]
-tick = 0
-set = { start_33 = 1 }
-[[at]]
-tick = 1
-set = { start_33 = 0 }
-[stop]
-until = "!busy"
-limit = 10000
-"#;
 
 /// 22 rows.
 const FRAMES: [&str; 6] = ["sweep", "frames.toml", "--over", "major_32=0..=40:4", "--over", "minor_34=0,3"];

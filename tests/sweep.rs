@@ -4,21 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-const SCENARIO: &str = r#"
-title = "Frames"
-circuit = "su1522157/interpolator"
-[inputs]
-x_is_major_35 = 1
-[[at]]
-tick = 0
-set = { start_33 = 1 }
-[[at]]
-tick = 1
-set = { start_33 = 0 }
-[stop]
-until = "!busy"
-limit = 10000
-"#;
+use crate::support::SCENARIO;
 
 /// A folder with the scenario `frames.toml`.
 fn folder() -> tempfile::TempDir {
@@ -210,4 +196,24 @@ fn wrong_values_are_told_before_anything_is_written() {
     write("major_32\n1\n2,3\n");
     assert!(refusal(folder.path(), &["--from", "in.csv", "--out", "out.csv"]).contains("C065"));
     assert!(!folder.path().join("out.csv").exists());
+}
+
+#[test]
+fn errors_of_a_header_beyond_the_hundredth_are_counted_as_those_of_rows_are() {
+    let folder = folder();
+    let told = |text: String| {
+        fs::write(folder.path().join("many.csv"), text).expect("a file");
+        let output = sweep(folder.path(), &["--from", "many.csv"]);
+        assert_eq!(output.status.code(), Some(2));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        (said.matches("error[").count(), said)
+    };
+    let names: Vec<_> = (0..131).map(|i| format!("nobody_{i}")).collect();
+    let (errors, said) = told(names.join(",") + "\n");
+    assert!(errors == 101 && said.contains("many.csv: 31 more errors"), "{said}");
+    let (errors, said) = told("major_32\n".to_owned() + &"no\n".repeat(120));
+    assert!(errors == 101 && said.contains("many.csv: 20 more errors"), "{said}");
+    // All the same, which is told once; and each is looked up at once.
+    let (errors, said) = told("major_32,".repeat(300_000) + "minor_34\n");
+    assert!(errors == 2 && said.contains("many.csv: 299899 more errors"), "{said}");
 }

@@ -74,7 +74,7 @@ impl Stimuli {
     pub fn over(over: &[Over], design: &Design) -> Result<Self, Report> {
         let mut wrong = Vec::new();
         let mut axes = Vec::new();
-        let varied = columns(over.iter().map(|over| over.name.as_str()), design, &mut wrong);
+        let varied = columns(over.iter().map(|over| over.name.as_str()), design, |error| wrong.push(error));
         for (over, &input) in over.iter().zip(&varied) {
             let Some(input) = input else { continue };
             let port = Port::of(net(design, input));
@@ -109,33 +109,25 @@ impl Stimuli {
         let file = CsvFile::open(path)?;
         let mut reader = file.reader()?;
         let header = reader.headers().map_err(|error| file.wrong(&error))?.clone();
-        let mut wrong = Vec::new();
+        let mut wrong = Wrong::default();
         if header.is_empty() {
-            wrong
-                .push(Diagnostic::new("C065", format!("{} is empty: its first line must name inputs", path.display())));
+            let empty = format!("{} is empty: its first line must name inputs", path.display());
+            wrong.push(Diagnostic::new("C065", empty));
         }
-        let varied: Option<Vec<_>> = columns(header.iter(), design, &mut wrong).into_iter().collect();
-        let Some(varied) = varied.filter(|_| wrong.is_empty()) else {
-            return Err(Report::new(Sources::default(), Self::shortened(wrong, path)));
-        };
+        let varied: Option<Vec<_>> = columns(header.iter(), design, |error| wrong.push(error)).into_iter().collect();
+        let Some(varied) = varied.filter(|_| wrong.is_empty()) else { return Err(wrong.report(path)) };
         let ports: Vec<_> = varied.iter().map(|&input| Port::of(net(design, input))).collect();
         let mut record = csv::ByteRecord::new();
-        let (mut count, mut more) = (0, 0_u64);
+        let mut count = 0;
         while reader.read_byte_record(&mut record).map_err(|error| file.wrong(&error))? {
             count += 1;
             for (code, what) in wrong_in(&record, &header, &ports) {
                 let line = record.position().map_or(0, csv::Position::line);
-                match wrong.len() < MOST_ERRORS {
-                    true => wrong.push(Diagnostic::new(code, format!("{}:{line}: {what}", path.display()))),
-                    false => more += 1,
-                }
+                wrong.push(Diagnostic::new(code, format!("{}:{line}: {what}", path.display())));
             }
         }
-        if more > 0 {
-            wrong.push(Diagnostic::new("C065", format!("{}: {more} more errors", path.display())));
-        }
         if !wrong.is_empty() {
-            return Err(Report::new(Sources::default(), wrong));
+            return Err(wrong.report(path));
         }
         let source = Source::Csv { file, ports };
         Ok(Self { initial: design.stimulus().initial.clone(), varied, source, count })
@@ -197,16 +189,6 @@ impl Stimuli {
         }))
     }
 
-    /// No more errors of a header than of its rows are told.
-    fn shortened(mut wrong: Vec<Diagnostic>, path: &Path) -> Vec<Diagnostic> {
-        let more = wrong.len().saturating_sub(MOST_ERRORS);
-        if more > 0 {
-            wrong.truncate(MOST_ERRORS);
-            wrong.push(Diagnostic::new("C065", format!("{}: {more} more errors", path.display())));
-        }
-        wrong
-    }
-
     fn cross_product(axes: &[Axis], mut rows: Range<u64>) -> NextRow {
         let axes: Vec<_> = axes.iter().map(|axis| (axis.over.clone(), axis.port, axis.count)).collect();
         Box::new(move |set| {
@@ -221,30 +203,59 @@ impl Stimuli {
     }
 }
 
+/// What is wrong with a CSV file: the errors that are shown, and how many more there are.
+#[derive(Default)]
+struct Wrong {
+    shown: Vec<Diagnostic>,
+    more: u64,
+}
+
+impl Wrong {
+    fn push(&mut self, diagnostic: Diagnostic) {
+        if self.shown.len() < MOST_ERRORS {
+            self.shown.push(diagnostic);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.shown.is_empty()
+    }
+
+    fn report(mut self, path: &Path) -> Report {
+        if self.more > 0 {
+            self.shown.push(Diagnostic::new("C065", format!("{}: {} more errors", path.display(), self.more)));
+        }
+        Report::new(Sources::default(), self.shown)
+    }
+}
+
 fn net(design: &Design, input: usize) -> &Net {
     &design.netlist().nets[design.netlist().inputs[input].index()]
 }
 
-/// The inputs of the columns; what is wrong with one goes to `wrong`.
+/// The inputs of the columns; what is wrong with one is told.
 fn columns<'a>(
     names: impl Iterator<Item = &'a str>,
     design: &Design,
-    wrong: &mut Vec<Diagnostic>,
+    mut tell: impl FnMut(Diagnostic),
 ) -> Vec<Option<usize>> {
     let known: Vec<_> = design.inputs().map(|port| port.name.as_str()).collect();
-    let mut found: Vec<Option<usize>> = Vec::new();
+    let mut is_found = vec![false; known.len()];
+    let mut found = Vec::new();
     for name in names {
         let input = known.iter().position(|known| *known == name);
         match input {
             None => {
                 let message = format!("the circuit `{}` has no input `{name}`", design.circuit().name());
                 let diagnostic = Diagnostic::new("S010", message).nearest(name, known.iter().copied());
-                wrong.push(diagnostic.help(format!("its inputs are: {}", known.join(", "))));
+                tell(diagnostic.help(format!("its inputs are: {}", known.join(", "))));
             }
-            Some(_) if found.contains(&input) => {
-                wrong.push(Diagnostic::new("C062", format!("the input `{name}` is given twice")));
+            Some(input) if std::mem::replace(&mut is_found[input], true) => {
+                tell(Diagnostic::new("C062", format!("the input `{name}` is given twice")));
             }
-            Some(input) => wrong.extend(untimed(design, input, name).err()),
+            Some(input) => untimed(design, input, name).unwrap_or_else(&mut tell),
         }
         found.push(input);
     }
