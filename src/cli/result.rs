@@ -8,6 +8,7 @@ use super::args::RunArguments;
 use super::observers::Observers;
 use super::{print, say};
 use crate::base::Report;
+use crate::netlist::Netlist;
 use crate::simulation::{Broken, Design, Outcome};
 use crate::trace::{Path, Picture, Table};
 
@@ -19,6 +20,11 @@ pub(super) fn json(command: &str, mut object: Value) -> String {
     object["format"] = FORMAT.into();
     object["command"] = command.into();
     format!("{object}\n")
+}
+
+/// The parameters of a circuit with the values in force, as JSON.
+pub(super) fn parameters(netlist: &Netlist) -> Map<String, Value> {
+    netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect()
 }
 
 /// Prints the result; on standard error when standard output is taken.
@@ -82,11 +88,9 @@ fn object(design: &Design, observers: &Observers, outcome: &Outcome) -> Value {
         let all = outcome.outputs.iter().filter_map(|output| Some((output.port.name.clone(), value(output)?)));
         Value::Object(all.collect())
     };
-    let parameters: Map<_, _> =
-        design.netlist().parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
     let mut object = json!({
         "circuit": design.circuit().name(),
-        "parameters": parameters,
+        "parameters": parameters(design.netlist()),
         "ticks": outcome.ticks,
         "stopped_by": outcome.stopped_by.to_string(),
         "outputs": of_outputs(&|output| Some(whole(output.number()))),

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::super::result::parameters;
 use super::super::sweep::{RESUMED, differences, hash_of};
 use crate::accuracy::{Frame, Meter, Slope, Tally};
 use crate::base::{Diagnostic, Report};
@@ -26,12 +27,10 @@ impl Checkpoint {
     /// Nothing measured yet.
     pub fn begin(meter: &Meter, max: u64) -> Self {
         let netlist = meter.design().netlist();
-        let parameters: serde_json::Map<_, _> =
-            netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
         let circuit = json!({ "module": netlist.scopes[0].module.to_string(), "sha256": hash_of(netlist) });
         let stimulus = format!("{:?}", meter.design().stimulus());
         let of = json!({
-            "format": FORMAT, "stepwright": env!("CARGO_PKG_VERSION"), "circuit": circuit, "parameters": parameters,
+            "format": FORMAT, "stepwright": env!("CARGO_PKG_VERSION"), "circuit": circuit, "parameters": parameters(netlist),
             "stimulus": stimulus, "max": max,
         });
         Self { of, ticks: 0, tally: Tally::default() }

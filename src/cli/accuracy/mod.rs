@@ -103,8 +103,11 @@ pub(super) fn accuracy(arguments: &AccuracyArguments) -> Result<Ending, Report> 
     if let Some(path) = &arguments.csv {
         files::write_bytes(path, measured.csv().as_bytes())?;
     }
-    if let Some(picture) = measured.svg() {
-        picture.write(arguments.svg.as_deref(), arguments.png.as_deref())?;
+    let (svg, png) = (arguments.svg.as_deref(), arguments.png.as_deref());
+    if (svg.is_some() || png.is_some())
+        && let Some(picture) = measured.svg()
+    {
+        picture.write(svg, png)?;
     }
     print(&if arguments.json { format!("{:#}\n", measured.json()) } else { measured.text() })?;
     Ok(if measured.is_good() { Ending::Done } else { Ending::Different })

@@ -29,11 +29,11 @@ pub fn over(arguments: &AccuracyArguments) -> Result<Table, Report> {
         let message = format!("--over {}: accuracy takes all inputs there are by itself", over.name);
         return Err(Diagnostic::new("C008", message).help("put p: before the name of a parameter").into());
     }
-    let mut table = Table { name: String::new(), rows: Vec::new() };
-    for (i, set) in sets(&arguments.over, &arguments.param)?.into_iter().enumerate() {
-        let session = session(arguments)?;
-        table.name = session.circuit().name().to_owned();
-        let session = set.iter().fold(session, |session, (name, value)| session.parameter(name, *value));
+    let sets = sets(&arguments.over, &arguments.param)?;
+    let session = session(arguments)?;
+    let mut table = Table { name: session.circuit().name().to_owned(), rows: Vec::new() };
+    for (i, set) in sets.into_iter().enumerate() {
+        let session = set.iter().fold(session.clone(), |session, (name, value)| session.parameter(name, *value));
         // Interrupted: what is whole is shown.
         let Some(measured) = of_circuit(arguments, session, i == 0)? else { break };
         let parameters = set.into_iter().map(|(name, value)| (name, value.into()));

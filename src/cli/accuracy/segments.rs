@@ -3,16 +3,13 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use serde_json::{Value, json};
-
 use super::super::long_run::{hint, progress};
 use super::super::{check_files, interrupt, say};
 use super::checkpoint::Checkpoint;
 use super::table::Shown;
-use super::{AccuracyArguments, Measured, check_outputs, does_nothing};
+use super::{AccuracyArguments, check_outputs, does_nothing};
 use crate::accuracy::{Meter, Reference, count};
 use crate::base::{Diagnostic, Report, StoppedBy};
-use crate::picture::Svg;
 use crate::simulation::Session;
 
 /// How often the checkpoint is written.
@@ -98,39 +95,4 @@ fn measure(meter: &Meter, kept: &mut Checkpoint, arguments: &AccuracyArguments) 
     })?;
     bar.finish_and_clear();
     failed.map_or(Ok(kept.tally.segments == all), Err)
-}
-
-impl Measured for Shown {
-    fn text(&self) -> String {
-        Shown::text(self)
-    }
-
-    fn csv(&self) -> String {
-        Shown::csv(self)
-    }
-
-    fn svg(&self) -> Option<Svg> {
-        Some(Shown::chart(self).svg())
-    }
-
-    fn json(&self) -> Value {
-        Shown::json(self)
-    }
-
-    fn summary(&self) -> Vec<(&'static str, Value)> {
-        let tally = &self.tally;
-        vec![
-            ("segments", tally.segments.into()),
-            ("violations", tally.violations.into()),
-            ("astray", tally.astray.into()),
-            ("unfinished", tally.unfinished.into()),
-            ("max_deviation", tally.max_deviation().into()),
-            ("end_error", tally.end.end_error().into()),
-            ("no_length", json!(tally.no_length.map(|frame| frame.steps))),
-        ]
-    }
-
-    fn is_good(&self) -> bool {
-        self.tally.violations + self.tally.astray + self.tally.unfinished == 0
-    }
 }

@@ -4,7 +4,9 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::Measured;
 use crate::accuracy::{Claim, Frame, Printed, Tally};
+use crate::picture::Svg;
 use crate::plot::{Axis, Chart, Series, Style};
 
 /// A measurement to show.
@@ -24,8 +26,39 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// A table for people.
-    pub fn text(&self) -> String {
+    fn row(&self, frame: &Frame) -> String {
+        let Frame { major, minor, .. } = frame;
+        format!("      {major:>7}{minor:>7} {:>10.6} {:>10.6}", frame.deviation(), self.claim.law.at(frame.angle()))
+    }
+
+    /// The law over the angle, and the frame that deviates most of each degree.
+    fn chart(&self) -> Chart {
+        let degrees = |i: u32| f64::from(i) / 4.0;
+        let curve = (0..=180).map(degrees).map(|angle| [angle, self.claim.law.at(angle.to_radians())]);
+        let law = Series { name: "law".into(), colour: [30, 90, 200], style: Style::Line, points: curve.collect() };
+        let slopes = self.tally.slopes.iter().filter(|slope| slope.frames > 0).map(|slope| slope.worst);
+        let points: Vec<_> = slopes.map(|frame| [frame.angle().to_degrees(), frame.deviation()]).collect();
+        let name = format!("greatest of each degree, X up to {}", self.max);
+        let measured = Series { name, colour: [200, 40, 30], style: Style::Dots, points };
+        let heights = law.points.iter().chain(&measured.points).map(|point| point[1]);
+        Chart {
+            title: format!("Deviation of {} over the slope of the segment", self.name),
+            x: Axis { name: "angle with the major axis, degrees".into(), range: [0.0, 45.0] },
+            y: Axis::of("greatest deviation of a node, whole steps", heights),
+            command: format!("stepwright accuracy {} --max {} --svg FILE", self.name, self.max),
+            series: vec![law, measured],
+        }
+    }
+
+    fn object(&self, frame: &Frame) -> Value {
+        let [major, minor] = &self.inputs;
+        let inputs = json!({ major: frame.major, minor: frame.minor });
+        json!({ "inputs": inputs, "deviation": frame.deviation(), "law": self.claim.law.at(frame.angle()) })
+    }
+}
+
+impl Measured for Shown {
+    fn text(&self) -> String {
         let Self { name, max, tally, .. } = self;
         let Claim { law, printed, end } = self.claim;
         let mut text = format!("{name}: all {} segments with 0 <= Y <= X <= {max}", tally.segments);
@@ -76,13 +109,7 @@ impl Shown {
         text
     }
 
-    fn row(&self, frame: &Frame) -> String {
-        let Frame { major, minor, .. } = frame;
-        format!("      {major:>7}{minor:>7} {:>10.6} {:>10.6}", frame.deviation(), self.claim.law.at(frame.angle()))
-    }
-
-    /// A row for each degree of slope.
-    pub fn csv(&self) -> String {
+    fn csv(&self) -> String {
         let mut text = String::from("from_degrees,to_degrees,segments,major,minor,deviation,law,printed\n");
         for (degrees, slope) in self.tally.slopes.iter().enumerate().filter(|(_, slope)| slope.frames > 0) {
             let Frame { major, minor, .. } = slope.worst;
@@ -95,27 +122,11 @@ impl Shown {
         text
     }
 
-    /// The law over the angle, and the frame that deviates most of each degree.
-    pub fn chart(&self) -> Chart {
-        let degrees = |i: u32| f64::from(i) / 4.0;
-        let curve = (0..=180).map(degrees).map(|angle| [angle, self.claim.law.at(angle.to_radians())]);
-        let law = Series { name: "law".into(), colour: [30, 90, 200], style: Style::Line, points: curve.collect() };
-        let slopes = self.tally.slopes.iter().filter(|slope| slope.frames > 0).map(|slope| slope.worst);
-        let points: Vec<_> = slopes.map(|frame| [frame.angle().to_degrees(), frame.deviation()]).collect();
-        let name = format!("greatest of each degree, X up to {}", self.max);
-        let measured = Series { name, colour: [200, 40, 30], style: Style::Dots, points };
-        let heights = law.points.iter().chain(&measured.points).map(|point| point[1]);
-        Chart {
-            title: format!("Deviation of {} over the slope of the segment", self.name),
-            x: Axis { name: "angle with the major axis, degrees".into(), range: [0.0, 45.0] },
-            y: Axis::of("greatest deviation of a node, whole steps", heights),
-            command: format!("stepwright accuracy {} --max {} --svg FILE", self.name, self.max),
-            series: vec![law, measured],
-        }
+    fn svg(&self) -> Option<Svg> {
+        Some(self.chart().svg())
     }
 
-    /// One object.
-    pub fn json(&self) -> Value {
+    fn json(&self) -> Value {
         let tally = &self.tally;
         let slope = |(degrees, slope): (usize, &crate::accuracy::Slope)| {
             let mut object = self.object(&slope.worst);
@@ -147,10 +158,21 @@ impl Shown {
         })
     }
 
-    fn object(&self, frame: &Frame) -> Value {
-        let [major, minor] = &self.inputs;
-        let inputs = json!({ major: frame.major, minor: frame.minor });
-        json!({ "inputs": inputs, "deviation": frame.deviation(), "law": self.claim.law.at(frame.angle()) })
+    fn summary(&self) -> Vec<(&'static str, Value)> {
+        let tally = &self.tally;
+        vec![
+            ("segments", tally.segments.into()),
+            ("violations", tally.violations.into()),
+            ("astray", tally.astray.into()),
+            ("unfinished", tally.unfinished.into()),
+            ("max_deviation", tally.max_deviation().into()),
+            ("end_error", tally.end.end_error().into()),
+            ("no_length", json!(tally.no_length.map(|frame| frame.steps))),
+        ]
+    }
+
+    fn is_good(&self) -> bool {
+        self.tally.violations + self.tally.astray + self.tally.unfinished == 0
     }
 }
 

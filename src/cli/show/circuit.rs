@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use super::super::result::parameters;
 use super::page::{self, bits, entry, section, word};
 use super::wiring::{Instance, Wiring};
 use crate::netlist::{Net, Netlist, ScopeId};
@@ -52,14 +53,13 @@ pub(super) fn object(design: &Design) -> Value {
         })
     });
     let instances = Wiring::of(netlist).instances(ScopeId::new(0));
-    let parameters = netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into()));
     let ranges = netlist.parameters.iter().map(|one| (one.name.clone(), json!([one.least, one.most])));
     json!({
         "kind": "circuit",
         "name": design.circuit().name(),
         "title": design.scenario().title,
         "comment": header_comment(design.circuit().source()),
-        "parameters": parameters.collect::<Map<_, _>>(),
+        "parameters": parameters(netlist),
         "ranges": ranges.collect::<Map<_, _>>(),
         "ports": ports.collect::<Vec<_>>(),
         "instances": instances.iter().map(page::object).collect::<Vec<_>>(),

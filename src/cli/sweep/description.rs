@@ -14,6 +14,7 @@ use super::plan::Plan;
 use super::shard::Shard;
 use crate::base::word::decode;
 use crate::base::{Diagnostic, Report, StopRule};
+use crate::cli::result::parameters;
 use crate::files;
 use crate::netlist::{Net, Netlist};
 use crate::simulation::Design;
@@ -49,13 +50,12 @@ impl Description {
             let (name, number) = (name(change.input), number(change.input, change.word));
             format!("tick {}: {name} = {number}", change.tick)
         });
-        let parameters: Map<_, _> = netlist.parameters.iter().map(|one| (one.name.clone(), one.value.into())).collect();
         let varied = arguments.over.iter().filter(|over| over.name.starts_with("p:")).map(ToString::to_string);
         let mut description = json!({
             "format": FORMAT,
             "stepwright": env!("CARGO_PKG_VERSION"),
             "circuit": { "module": netlist.scopes[0].module.to_string(), "sha256": hash_of(netlist) },
-            "parameters": parameters,
+            "parameters": parameters(netlist),
             "inputs": held,
             "changes": changes.collect::<Vec<_>>(),
             "stop": stop(design),
