@@ -149,6 +149,26 @@ fn two_sweeps_do_not_go_into_one_file() {
 }
 
 #[test]
+fn nothing_else_goes_into_a_file_that_a_sweep_is_writing() {
+    let folder = frames();
+    let sweep = [&SWEEP[..], &["--out", "out.csv"]].concat();
+    let few = [&SWEEP[..2], &["--over", "major_32=1..=3", "--shard", "0/1", "--out", "part.csv"]].concat();
+    assert_eq!(folder.run(&few).status.code(), Some(0));
+    let child = begun(&folder, &sweep, || length(&folder, "out.csv") > 0);
+    for other in
+        [&["merge", "part.csv", "--out", "out.csv"][..], &["run", "frames.toml", "--ticks", "9", "--csv", "out.csv"]]
+    {
+        let other = folder.run(other);
+        assert_eq!(other.status.code(), Some(2));
+        assert!(said(&other).contains("C031"), "{}", said(&other));
+    }
+    let before = length(&folder, "out.csv");
+    let (first, _) = child.ended("INT");
+    assert!(said(&first).contains("interrupted after"), "the sweep goes on meanwhile: {}", said(&first));
+    assert!(length(&folder, "out.csv") >= before);
+}
+
+#[test]
 fn a_sweep_ends_within_a_second_on_every_engine_however_long_a_run_is() {
     for engine in ["interpreter", "native", "lanes", "auto"] {
         let folder = Folder::new();

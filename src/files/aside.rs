@@ -36,6 +36,9 @@ fn name_aside(target: &Path) -> PathBuf {
 /// # Errors
 /// `C031` another program is writing the output, `C003` what stands there is not ours to remove.
 pub(super) fn clear(target: &Path) -> Result<Option<PathBuf>, Report> {
+    if is_locked(target) {
+        return Err(busy(target).into());
+    }
     let aside = name_aside(target);
     match take(&aside) {
         Ok(Taken::Nothing) => Ok(None),
@@ -49,6 +52,12 @@ pub(super) fn clear(target: &Path) -> Result<Option<PathBuf>, Report> {
             Err(diagnostic.help(format!("{} is written there first; remove what is there", target.display())).into())
         }
     }
+}
+
+/// Whether another program writes a file in place ([`super::Lasting`]); putting another one under its name would leave that
+/// program writing what nobody sees.
+fn is_locked(target: &Path) -> bool {
+    File::open(target).is_ok_and(|file| matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
 }
 
 /// What stands under a name aside.
